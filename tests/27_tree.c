@@ -3,10 +3,10 @@
  *
  * Oracle: each shape and each instance asked in turn (07, 16), the closed form of a sphere, and of
  * solids cut from solids whether a point is in them. What draws directions and what says how likely
- * they were must agree.
+ * they were must agree. Of searches that leave faces out: the same ones that leave out nothing.
  */
 #include "../chapters/27_effects/files/studio_read.h"
-#include "../chapters/27_effects/lamps.h"
+#include "../chapters/27_effects/radiance.h"
 #include "../chapters/18_shade/leave.h"
 #include "../chapters/04_triangle/scenes/icosphere.h"
 #include "../common/random.h"
@@ -399,12 +399,118 @@ static void test_owed(void)
     check_equal(a.matte.y, (real)0.5, "1 + 8 eps: no more than it gets");
 }
 
+/* ---- what a ray is known not to meet ---- */
+
+/* Everything twice, also turned round: a ball of triangles that shines and stands in its own
+ * light, smoothed; squares, flat and bent, a flat star, some of which shine; balls and cones. */
+static void double_studio(studio *s)
+{
+    failure f;
+    mesh m = ball_mesh(2);
+    studio_begin(s);
+    uint32_t look[2] = {studio_add_material(s, "dull", (cite){0, 0}),
+                        studio_add_material(s, "lamp", (cite){0, 0})};
+    s->material[look[1]].ke = (vec3){1, 2, 3};
+    m.index = realloc(m.index, 6 * m.triangles * sizeof *m.index);
+    if (!m.index) abort();
+    for (size_t i = 0; i < 3 * m.triangles; i++)
+        m.index[3 * m.triangles + i] = m.index[i / 3 % 2 ? i / 3 * 3 + 2 - i % 3 : i];
+    m.triangles *= 2;
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], 1 + uniform() / 4);
+    uint32_t ball = studio_add_mesh(s, m, allocate(1, 4), 0, true);
+    mesh_smooth_normals(&s->mesh[ball]);
+    studio_place(s, ball, affine_scaling((vec3){1, 1, 1}), look[1], (cite){0, 0});
+    for (int i = 0; i < 12; i++) {
+        vec3 v[8] = {in_cube(2), in_cube(2), in_cube(2), {0, 0, 0}};
+        v[3] = vadd(v[0], vsub(v[2], v[1]));
+        if (i % 6 == 3) v[3] = vmadd(v[3], in_cube(1), (real)0.1);  /* bent */
+        int corners = 4;
+        for (int k = 0; i % 6 == 5 && k < 8; k++, corners = 8) {
+            real a = (real)k * pi / 4, r = k % 2 ? (real)0.4 : 1;
+            v[k] = (vec3){2 * r * cos(a), 2 * r * sin(a), -1};
+        }
+        for (int k = 0; k < 2; k++) studio_add_polygon(s, v, (size_t)corners, look[i % 2]);
+        sphere round = {v[0], uniform() / 2};
+        if (i % 2) studio_add_shape(s, shape_of_sphere(round), look[i % 4 / 2]);
+        else studio_add_shape(s, shape_of_cone((cone){v[0], round.r, v[1], uniform() / 2}), 0);
+    }
+    if (!studio_finish(s, &f)) abort();
+}
+
+/* Away from the face, into it, or along it, as nearly as can be. */
+static vec3 any_way(const surface *s, vec3 d)
+{
+    real x = random_next(&rng);
+    vec3 w = in_cube(1), flat = vmadd(w, s->n, -vdot(w, s->n));
+    if (x < (real)0.2) return reflect(d, s->ns);
+    if (x < (real)0.5) return vmadd(flat, s->n, uniform() * pow((real)10, -16 * random_next(&rng)));
+    return x < (real)0.6 ? flat : w;
+}
+
+typedef struct { size_t met, wrong, from, to, kept; } left_out;
+
+static void leave_out(const effects_stage *e, ray r, left_out *n)
+{
+    studio_hit x = {hit_none, 0}, all = x;
+    effects_counts c = {.lost = 0};
+    branch b = {.r = r, .weight = {1, 1, 1}}, child;
+    if (!studio_tree_hit(&e->t, r, &x)) return;
+    gather_hit h = {.e = e, .b = &b, .c = &c, .flat = studio_flat_face(&e->t, x)};
+    h.s = surface_facing(studio_surface(&e->t, r, x), r.d);
+    vec3 d = any_way(&h.s, r.d), side = random_next(&rng) < (real)0.5 ? h.s.n : vneg(h.s.n);
+    effects_child(&h, EFFECT_MIRROR, RAY_MIRRORED, side, d, b.weight, &child);
+    studio_but but = {child.left, studio_no_face};
+    bool met = studio_tree_hit(&e->t, child.r, &all), same;
+    studio_hit y = all;
+    same = met == studio_tree_hit_but(&e->t, child.r, but, &y) && y.place == all.place
+        && y.h.shape == all.h.shape && y.h.t == all.h.t && y.h.u == all.h.u && y.h.v == all.h.v;
+    n->met++, n->wrong += !same, n->from += but.from.index != no_shape;
+    n->kept += met && but.from.index == no_shape && all.place == x.place
+        && all.h.shape == x.h.shape;  /* it does meet it again: nobody left it out */
+    lit_draw lamp;
+    point2 u = {random_next(&rng), random_next(&rng)};
+    if (!lamps_sample(&e->lamp, h.s.p, h.s.n, u, &lamp)) return;
+    ray shadow = lit_draw_ray(&h.s, &lamp);
+    but = gather_but(&h, RAY_TO_LAMP, &lamp, shadow);
+    n->wrong += studio_tree_occluded(&e->t, shadow)
+        != studio_tree_occluded_but(&e->t, shadow, but);
+    n->to += but.to.index != no_shape;
+}
+
+static void test_left_out(void)
+{
+    left_out n = {0};
+    size_t rays = check_count(400000);
+    for (int scene_number = 0; scene_number < 8; scene_number++) {
+        studio s;
+        effects_stage e;
+        failure f;
+        double_studio(&s);
+        if (!effects_stage_build(&s, &e, &f)) fail(f);
+        for (size_t i = 0; i < rays / 8; i++) {
+            vec3 o = in_cube(3), to = in_cube(2);
+            const vec3 *v = s.corner + (size_t)(random_next(&rng) * (real)(s.corners - 1));
+            if (i % 4 == 0) to = v[0];
+            if (i % 4 == 1) to = vmadd(v[0], vsub(v[1], v[0]), random_next(&rng));
+            leave_out(&e, ray_from(o, vsub(to, o)), &n);
+        }
+        effects_stage_free(&e), studio_free(&s);
+    }
+    check_equal((double)n.wrong, 0, "of %zu hits: rays that miss something if faces are left out",
+                n.met);
+    check_at_least(n.met, rays / 3, "hits");
+    check_at_least(n.from, n.met / 4, "rays for which the face they left was left out");
+    check_at_least(n.to, n.met / 10, "rays for which their lamp was");
+    check_at_least(n.kept, n.met / 50, "rays that do meet it again");
+}
+
 int main(void)
 {
     rng = random_start(27, 2, 0);
     test_hits();
     test_equal();
     test_leaving();
+    test_left_out();
     test_solids();
     test_owed();
     test_lamps();

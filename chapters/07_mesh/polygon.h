@@ -77,6 +77,9 @@ static inline polygon polygon_of(const vec3 *v, size_t n)
 
 static inline vec3 polygon_normal(polygon p) { return p.normal; }
 
+/* All corners are within 2 epsilon of its size of the plane: as near as rounding leaves them. */
+static inline bool polygon_is_flat(const polygon *p) { return p->trust <= (float)1 / 16; }
+
 /* Point on the plane first, then the two coordinates that n is longest in left out, then the same
  * walk. Slips: the neighbour across an edge computes its own point, and may leave out another
  * coordinate. In the crossing test one divides by y_j - y_i, which is not 0 as one end is above

@@ -10,7 +10,7 @@
  *   child 8 numbers        8 numbers             bvh8_free(&w)           a zeroed one may be freed
  *
  *   bvh8_hit_but(&w, r, skip, &h), bvh8_occluded_but(&w, r, skip)    the same answers, sooner,
- *                                    where the caller knows triangles that r can't hit: tree8.h
+ *                                    where the caller knows items that r can't hit: tree8.h
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
  *
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and

@@ -207,7 +207,10 @@ __attribute__((always_inline))
 static inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
+    const bvh8_skip *but = q->skip;
     hit h;
+    if (i == but->from || i - but->first <= but->last - but->first)
+        return q->best.shape != no_shape;
     if (x->kind == SHAPE_SPHERE ? sphere_hit(x->sphere, *q->r, &h)
         : shape_hit_sheared(x, bvh8_shear(q), *q->r, &h)) bvh8_keep(q, h, i);
     return q->best.shape != no_shape;

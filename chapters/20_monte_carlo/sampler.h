@@ -86,9 +86,9 @@ static inline void sampler_keys_of(sequence_kind kind, uint64_t seed, uint64_t p
 
 static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, uint32_t samples)
 {
-    sampler s = {k->kind, sample, samples, 0, k->key, {0, 0}, k};
-    if (k->kind <= SEQUENCE_HALTON) s.own = random_sample(k->own, sample);
-    return s;
+    random_stream own = {0, 0};
+    if (k->kind <= SEQUENCE_HALTON) own = random_sample(k->own, sample);
+    return (sampler){k->kind, sample, samples, 0, k->key, own, k};
 }
 
 /* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of

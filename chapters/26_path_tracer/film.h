@@ -89,9 +89,13 @@ static inline bool film_pixel_add(film_pixel *p, uint32_t k, vec3 L)
     return tally_add(&t[2], (double)L.z) && x && y;
 }
 
+/* A half without samples stays untouched: that of a first sample is memory nobody has asked for. */
 static inline void film_gather(film *f, size_t i, const film_pixel *p)
 {
-    for (int k = 0; k < 6; k++) tally_join(&f->half[k / 3][i].of[k % 3], &p->half[k / 3].of[k % 3]);
+    for (int k = 0; k < 6; k++) {
+        const tally *t = &p->half[k / 3].of[k % 3];
+        if (t->low || t->high) tally_join(&f->half[k / 3][i].of[k % 3], t);
+    }
 }
 
 /* How many of a range are in the half. */

@@ -105,9 +105,7 @@ static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_
 
 static inline path_random path_sample(const path_pixel *p, uint32_t k, uint32_t n)
 {
-    path_random r = {.pairs = sampler_of_keys(&p->keys, k, n), .left = path_pairs};
-    r.own = random_sample(p->own, k);
-    return r;
+    return (path_random){sampler_of_keys(&p->keys, k, n), random_sample(p->own, k), path_pairs};
 }
 
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
@@ -264,7 +262,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
 __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
-    lit_hit x = {.m = NULL};
+    lit_hit x;
     if (!lit_trace_from(t->scene, w->r, w->left, &x)) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);

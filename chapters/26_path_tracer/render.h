@@ -32,9 +32,10 @@ static inline size_t render_pixel(const render_job *j, film *f, int x, int y, pa
     size_t i = (size_t)y * (size_t)f->width + (size_t)x, refused = 0;
     path_pixel half[2];
     film_pixel sum = {{{{{0, 0}}}}};
-    for (uint64_t k = 0; k < 2; k++)
-        path_pixel_of(&j->tracer->how, j->seed, 2 * i + k, &half[k]);
-    for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
+    const film_range now = j->pass.now;
+    for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
+        path_pixel_of(&j->tracer->how, j->seed, 2 * i + k % 2, &half[k % 2]);
+    for (uint32_t k = now.begin; k < now.end; k++) {
         path_random s = path_sample(&half[k % 2], k / 2, 1u << 31);
         point2 u = path_pair(&s);
         ray eye = camera_ray(j->eye, (real)x + u.u, (real)y + u.v, f->width, f->height);

@@ -75,7 +75,7 @@ static inline bool plan_flat(const studio *s, const appearance *look)
 /* The material of a face that emits. */
 static inline uint32_t plan_emitter_material(const studio *s, size_t i)
 {
-    studio_emitter e = s->emitter[i];
+    studio_face e = s->emitter[i];
     return e.place == no_shape ? s->shape_material[e.index]
                                : studio_material_of(s, e.place, e.index);
 }

@@ -38,6 +38,7 @@ typedef struct {
     real way;           /* how far before r.o that was: through what is clear */
     int kind, depth;
     int passed;         /* faces with one medium on both sides, since it last changed its way */
+    studio_face left;   /* it can't meet it: studio_tree.h */
     uint32_t node;      /* dice.h */
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
 } branch;
@@ -52,6 +53,7 @@ typedef struct {
     effects_counts *c;
     const brdf *lobe;
     surface s;
+    studio_face flat;   /* that s is of */
     real more;          /* touch.h */
     gather_share k;
 } gather_hit;
@@ -85,13 +87,32 @@ static inline vec3 gather_clear(const effects_stage *e, ray r)
     return (vec3){0, 0, 0};
 }
 
-/* False: nothing arrives. */
-effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, ray r, int kind,
-                                  vec3 *left)
+/* Does what begins or ends at p, near s, keep to one side of it? d: from p on. */
+effects_inline bool gather_aside(const surface *s, vec3 p, vec3 d)
 {
+    return vdot(s->n, vsub(p, s->p)) * vdot(s->n, d) > 0;
+}
+
+/* Not `from` and the lamp, where leave_between (18) has both ends on the sides that see each
+ * other. */
+effects_inline studio_but gather_but(const gather_hit *h, int kind, const lit_draw *x, ray r)
+{
+    studio_but but = studio_but_none;
+    if (gather_aside(&h->s, r.o, r.d)) but.from = h->flat;
+    if (kind == RAY_TO_LAMP && gather_aside(&x->s, vadd(r.o, r.d), vneg(r.d)))
+        but.to = h->e->lamp.lies_in[x->emitter];
+    return but;
+}
+
+/* False: nothing arrives. */
+effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, const lit_draw *x,
+                                  int kind, vec3 *left)
+{
+    ray r = lit_draw_ray(&h->s, x);
     h->c->rays[kind]++;
     *left = (vec3){1, 1, 1};
-    if (!(mask & EFFECT_REFRACTION) || !h->e->clear) return !studio_tree_occluded(&h->e->t, r);
+    if (!(mask & EFFECT_REFRACTION) || !h->e->clear)
+        return !studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r));
     *left = gather_clear(h->e, r);
     return !vzero(*left);
 }
@@ -124,7 +145,7 @@ effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool
     if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
         v = vmul(gather_reflects(h, mask, x->wi, x->pdf), x->Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
-    bool passes = gather_passes(h, mask, lit_draw_ray(&h->s, x), kind, &left);
+    bool passes = gather_passes(h, mask, x, kind, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / x->per);
 }

@@ -3,7 +3,7 @@
  *   lamp_list l;
  *   lamps_build(&t, &l)                       of t.s; O(n)
  *   lamps_sample(&l, p, n, u, &x)             for a surface at p, normal n; false: this sample
- *                                             counts, and is 0
+ *                                             counts, and is 0; x.emitter: which of them
  *   real q = lamps_pdf(&l, Ke, shape, p, d, t, cosine)    of drawing the point that a ray from p
  *                                             along d meets at t, where it emits Ke; shape or NULL
  *   lamps_free(&l)
@@ -23,13 +23,19 @@
 #include "patch.h"
 #include "studio_tree.h"
 
-typedef struct { emitter *face; size_t n, room; lit_lights of; real sum; } lamp_list;
+typedef struct {
+    emitter *face;
+    studio_face *lies_in;   /* [n] what of the studio it is, or a part of; no face: not flat */
+    size_t n, room, lying;
+    lit_lights of;
+    real sum;
+} lamp_list;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void lamps_free(lamp_list *l)
 {
-    free(l->face);
+    free(l->face), free(l->lies_in);
     lit_lights_free(&l->of);
     *l = (lamp_list){.face = NULL};
 }
@@ -68,7 +74,7 @@ static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
 }
 
 /* In the world; where it was moved to, the pad of (16.3) is what rounding adds. */
-static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio_emitter x, vec3 Ke)
+static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio_face x, vec3 Ke)
 {
     size_t k;
     triangle c = studio_triangle(t, x.place, x.index, &k);
@@ -78,16 +84,27 @@ static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio
     lamps_add(l, one);
 }
 
+/* Lamps n and on lie in x. */
+static inline void lamps_lie_in(lamp_list *l, size_t n, studio_face x)
+{
+    for (; n < l->n; n++) {
+        l->lies_in = grown(l->lies_in, n, &l->lying, sizeof *l->lies_in);
+        l->lies_in[n] = x;
+    }
+}
+
 static inline void lamps_build(const studio_tree *t, lamp_list *out)
 {
     const studio *s = t->s;
     *out = (lamp_list){.face = NULL};
     for (size_t i = 0; i < s->emitters; i++) {
-        studio_emitter x = s->emitter[i];
+        studio_face x = s->emitter[i];
         studio_hit h = {{0, 0, 0, x.index}, x.place};
         vec3 Ke = s->material[studio_hit_material(t, h)].ke;
+        size_t before = out->n;
         if (x.place == no_shape) lamps_add_shape(out, &s->shape[x.index], Ke);
         else lamps_add_triangle(out, t, x, Ke);
+        lamps_lie_in(out, before, studio_flat_face(t, h));
     }
     double sum = 0;
     for (size_t i = 0; i < out->n; i++) sum += (double)emitter_power(&out->face[i]);
@@ -109,7 +126,8 @@ static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lit_draw *out)
 {
     real chance;
-    emitter e = l->face[lit_lights_choose(&l->of, u.u, &chance, &u.u)];
+    out->emitter = (uint32_t)lit_lights_choose(&l->of, u.u, &chance, &u.u);
+    emitter e = l->face[out->emitter];
     if (e.kind != EMITTER_SPHERE) e.n = emitter_height(&e, p) < 0 ? vneg(e.n) : e.n;
     else e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
     return lit_draw_of(&e, POINTS_CHEAP, chance, p, u, out);

@@ -55,6 +55,7 @@ effects_inline void effects_child(const gather_hit *h, const unsigned mask, int 
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
     c->bounced = b->bounced, c->passed = 0, c->way = 0;
+    c->left = vdot(side, d) > 0 ? h->flat : studio_no_face;  /* a mirror smoothed leads back in */
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -105,24 +106,23 @@ effects_inline int effects_through(const gather_hit *h, const unsigned mask, con
 }
 
 /* The parts of a surface's light, by Fresnel where the material says so. x is set if it bends. */
-effects_inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
-                                           const surface *s, const snell *x, bool bends)
+effects_inline void effects_shares(const unsigned mask, const appearance *a, vec3 d,
+                                   const surface *s, const snell *x, bool bends, gather_share *k)
 {
-    gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through};
     real cosine = real_min(1, fabs(vdot(s->ns, d)));
-    if (!(mask & EFFECT_REFRACTION)) k.through = (vec3){0, 0, 0};
-    if (!a->fresnel) return k;
+    k->matte = a->matte, k->highlight = a->highlight, k->mirror = a->mirror, k->glossy = a->glossy;
+    k->through = mask & EFFECT_REFRACTION ? a->through : (vec3){0, 0, 0};
+    if (!a->fresnel) return;
     if (vzero(a->through)) {
         vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
-        *(vzero(a->mirror) ? &k.glossy : &k.mirror) = F;
-        k.matte = vmul(k.matte, vrest(F));
+        *(vzero(a->mirror) ? &k->glossy : &k->mirror) = F;
+        k->matte = vmul(k->matte, vrest(F));
     } else if (bends || !(mask & EFFECT_REFRACTION)) {  /* left out by --effects: Schlick's R */
         real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
         real R = bends ? fresnel(x) : fresnel_schlick((vec3){f0, f0, f0}, cosine).x;
-        k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
-        k.through = vscale(k.through, 1 - R), k.matte = vscale(k.matte, 1 - R);
+        k->mirror = vscale(k->mirror, R), k->glossy = vscale(k->glossy, R);
+        k->through = vscale(k->through, 1 - R), k->matte = vscale(k->matte, 1 - R);
     }
-    return k;
 }
 
 /* Its children, the one to be traced first last. */
@@ -158,20 +158,25 @@ static bool effects_cross(gather_hit *h, bool always, studio_hit *x, branch *b, 
     return false;
 }
 
-/* One ray: adds what it brings to *sum; how many children. */
+/* One ray: adds what it brings to *sum; how many children. Structs are read and written field by
+ * field: as effects_child. */
 effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
                                 branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
+    const ray r = {{b->r.o.x, b->r.o.y, b->r.o.z}, b->r.tmin, {b->r.d.x, b->r.d.y, b->r.d.z},
+                   b->r.tmax};
     c->rays[b->kind]++;
-    if (!studio_tree_hit(&e->t, b->r, &x)) {
+    if (!studio_tree_hit_but(&e->t, r, (studio_but){b->left, studio_no_face}, &x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
     uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
     const appearance *a = &e->look[m];
-    gather_hit h = {.e = e, .b = b, .d = d, .c = c, .lobe = &e->lobe[m]};
-    h.s = effects_surface(e, b->r, x);
+    gather_hit h;
+    surface met = effects_surface(e, r, x);
+    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = 0;
+    h.s = surface_copy(&met);
     media_set after;
     bool body = (mask & EFFECT_REFRACTION) && appearance_body(a);
     if (body && !effects_cross(&h, (mask & EFFECTS_SPEND) != 0, &x, b, &after, &to)) {
@@ -183,7 +188,9 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         c->rays[RAY_ABSORBED]++;
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
     }
-    h.s = surface_facing(h.s, b->r.d);
+    real turn = vdot(h.s.n, r.d) > 0 ? -1 : 1;  /* surface_facing */
+    h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
+    h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
     bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
@@ -194,7 +201,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    h.k = effects_shares(mask, a, b->r.d, &h.s, &at, bends);
+    effects_shares(mask, a, r.d, &h.s, &at, bends, &h.k);
     vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
@@ -218,7 +225,7 @@ effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set 
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
     *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
-                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1};
+                  .cosine = 1, .left = studio_no_face, .kind = RAY_OF_EYE, .depth = 1};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n; i++) stack[top++] = slot[other][i];

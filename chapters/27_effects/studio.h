@@ -50,7 +50,7 @@ typedef struct { studio_palette palette; uint32_t file; } studio_library;
 typedef struct { light light; bool classic; cite at; } studio_light;
 typedef struct { uint32_t *run_material, file; bool smooth; } studio_paint;  /* of a mesh */
 typedef struct { uint32_t material; cite at; } studio_placing;  /* for triangles without usemtl */
-typedef struct { uint32_t place, index; } studio_emitter;  /* place no_shape: shape `index` */
+typedef struct { uint32_t place, index; } studio_face;  /* place no_shape: shape `index` */
 
 typedef struct {
     bool given;                /* false: found in framing.h */
@@ -78,7 +78,7 @@ typedef struct {
     instance *placed;
     studio_placing *placing;   /* [places] */
     studio_light *light;
-    studio_emitter *emitter;
+    studio_face *emitter;
     size_t libraries, materials, shapes, solids, corners, meshes, places, lights, emitters;
     size_t library_room, material_room, shape_room, shape_material_room,
         solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room,

@@ -5,6 +5,11 @@
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
+ *   studio_tree_hit_but(&t, r, but, &x), studio_tree_occluded_but(&t, r, but)    the same answers,
+ *                                             sooner: r is known not to meet two faces, the one
+ *                                             that it left and that of the lamp at its end
+ *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
+ *                                             18 towards the same side does not come back
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
@@ -25,6 +30,10 @@
 
 /* place no_shape: h.shape is a shape; no_shape - 1 - k: h.shape is a surface of solid k */
 typedef struct { hit h; uint32_t place; } studio_hit;
+
+#define studio_no_face ((studio_face){no_shape, no_shape})
+typedef struct { studio_face from, to; } studio_but;
+#define studio_but_none ((studio_but){studio_no_face, studio_no_face})
 
 typedef struct {
     const studio *s;
@@ -127,15 +136,23 @@ effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found,
     *found = true, r->tmax = h.t;
 }
 
-effects_inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
+/* What `but` says of the tree of one place. */
+effects_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
+{
+    uint32_t to = but.to.place == place ? but.to.index : no_shape;
+    return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
+}
+
+effects_inline bool studio_tree_hit_but(const studio_tree *t, ray r, studio_but but,
+                                        studio_hit *out)
 {
     bool found = false;
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_hit_but(&t->shapes, r, bvh8_skip_none, &h))
+    if (t->all->n && bvh8_hit_but(&t->shapes, r, studio_skip(but, no_shape), &h))
         studio_tree_keep(h, no_shape, &r, &found, out);
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_hit_but(&t->mesh[k], r, bvh8_skip_none, &h))
+        if (bvh8_hit_but(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]), &h))
             studio_tree_keep(h, t->mesh_place[k], &r, &found, out);
     if (t->moved.n && instances_hit(&t->moved, r, &x))
         studio_tree_keep(x.h, t->moved_place[x.instance], &r, &found, out);
@@ -145,14 +162,33 @@ effects_inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out
     return found;
 }
 
-effects_inline bool studio_tree_occluded(const studio_tree *t, ray r)
+effects_inline bool studio_tree_occluded_but(const studio_tree *t, ray r, studio_but but)
 {
-    if (t->all->n && bvh8_occluded_but(&t->shapes, r, bvh8_skip_none)) return true;
+    if (t->all->n && bvh8_occluded_but(&t->shapes, r, studio_skip(but, no_shape))) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_occluded_but(&t->mesh[k], r, bvh8_skip_none)) return true;
+        if (bvh8_occluded_but(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]))) return true;
     for (size_t k = 0; k < t->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);
+}
+
+static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
+{
+    return studio_tree_hit_but(t, r, studio_but_none, out);
+}
+
+static inline bool studio_tree_occluded(const studio_tree *t, ray r)
+{
+    return studio_tree_occluded_but(t, r, studio_but_none);
+}
+
+/* Of moved meshes and solids none is left out: their places have no tree that asks. */
+effects_inline studio_face studio_flat_face(const studio_tree *t, studio_hit x)
+{
+    const shape *s = x.place == no_shape ? &t->s->shape[x.h.shape] : NULL;
+    bool flat = !s || s->kind == SHAPE_TRIANGLE
+        || (s->kind == SHAPE_POLYGON && polygon_is_flat(&s->polygon));
+    return (studio_face){x.place, flat ? x.h.shape : no_shape};
 }
 
 /* NULL: it is none. */

@@ -26,7 +26,7 @@ static inline bool finish_emits(studio *s, uint32_t place, uint32_t index, failu
         return failed(f, 2, "too many faces emit light: at most %d are allowed",
                       studio_most_emitters);
     studio_grow(s, emitter, s->emitters);
-    s->emitter[s->emitters++] = (studio_emitter){place, index};
+    s->emitter[s->emitters++] = (studio_face){place, index};
     return true;
 }
 
