@@ -163,39 +163,57 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     }
 }
 
-/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
-static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, ray r,
+static bool trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
                               void *payload, bool *end, hit *h)
 {
-    const world_part *p = &t->w->part[k];
-    if (!g->any_hit || p->opaque)
-        return g->first ? bvh8_occluded(&p->tree, r) : bvh8_hit(&p->tree, r, h);
     trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
-    trace_ask(&a, &p->tree);
+    trace_ask(&a, &t->w->part[k].tree);
     *end = a.end && !g->first;
     if (a.met && !g->first) *h = a.q.best;
     return a.met;
 }
 
-static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
+/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
+__attribute__((always_inline))
+static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, const ray *r,
+                              void *payload, bool *end, hit *h)
+{
+    const world_part *p = &t->w->part[k];
+    if (!g->any_hit || p->opaque)
+        return bvh8_ask(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
+    return trace_part_asking(t, g, k, *r, payload, end, h);
+}
+
+static bool trace_own(tracer *t, ray_kind kind, ray *r, void *payload)
 {
     const ray_program *g = &t->program[kind];
-    trace_hit best = {hit_none, 0};
+    trace_hit best;
+    real tmax = r->tmax;
     bool met = false, end = false;
-    ray rest = r;
     t->counts.rays[kind]++;
-    for (uint32_t k = 0; k < t->w->parts && !end && !(met && g->first); k++) {
-        hit h = hit_none;
+    for (uint32_t k = 0; k < t->w->parts && !end; k++) {
+        hit h;
         if (!(t->w->part[k].mask & g->mask)) continue;
-        if (!trace_part(t, g, k, rest, payload, &end, &h)) continue;
-        if (!met || h.t < best.h.t) best = (trace_hit){h, k};  /* at equal t the first part stays */
+        if (!trace_part(t, g, k, r, payload, &end, &h)) continue;
+        if (g->first) end = true;
+        else if (!met || h.t < r->tmax)  /* at equal t the first part stays */
+            best = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, r->tmax = h.t;
         met = true;
-        if (!g->first) rest.tmax = best.h.t;
     }
+    r->tmax = tmax;
     t->counts.hits[kind] += met;
-    if (!met && g->miss) g->miss(t, r, payload);
-    if (met && !g->first && g->closest_hit) g->closest_hit(t, r, best, payload);
+    if (!met) {
+        if (g->miss) g->miss(t, *r, payload);
+    } else if (!g->first && g->closest_hit) g->closest_hit(t, *r, best, payload);
     return met;
+}
+
+/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+__attribute__((always_inline))
+static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
+{
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+    return trace_own(t, kind, &own, payload);
 }
 
 static inline void trace_counts_add(trace_counts *to, const trace_counts *more)
