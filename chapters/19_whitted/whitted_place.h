@@ -89,10 +89,11 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
     const material *m = &p->m->base;
     const surface *s = &p->s;
     vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
-    for (int i = 0; i < w->n; i++) {
+    bool reflects = material_reflects(m);
+    for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
         light_sample x;
-        bool counts = material_reflects(m) && light_reaches(L, s->p, s->n, s->ns, &x);
+        bool counts = reflects && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
                                        : leave(surface_copy(s), L->at);
@@ -111,7 +112,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
 static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, whitted_place *p)
 {
     const whitted *w = t->user;
-    p->s = surface_of_trace(t, b->r, x);
+    surface s = surface_of_trace(t, b->r, x);
+    p->s = surface_copy(&s);
     p->m = w->material_of(w->context, x, &p->s, &p->room);
     p->more = 0;
     if (p->m->body) {
