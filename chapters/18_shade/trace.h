@@ -25,6 +25,8 @@
  *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
+ *   bool met = trace_find(&t, kind, r, &payload, &x);   the same, with its hit in x (not if the kind
+ *                                        asks for the first); closest_hit and miss aren't called
  *
  * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
  * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,
@@ -78,6 +80,7 @@ static const char *const ray_kind_names[ray_kinds] = {"camera", "shadow", "refle
                                                       "refraction", "sight"};
 
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
+static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -163,8 +166,8 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     }
 }
 
-static bool trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
-                              void *payload, bool *end, hit *h)
+static inline bool trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
+                                     void *payload, bool *end, hit *h)
 {
     trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
     trace_ask(&a, &t->w->part[k].tree);
@@ -184,36 +187,42 @@ static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k,
     return trace_part_asking(t, g, k, *r, payload, end, h);
 }
 
-static bool trace_own(tracer *t, ray_kind kind, ray *r, void *payload)
+static inline bool trace_own(const tracer *t, const ray_program *g, ray *r, void *payload,
+                             trace_hit *best)
 {
-    const ray_program *g = &t->program[kind];
-    trace_hit best;
     real tmax = r->tmax;
     bool met = false, end = false;
-    t->counts.rays[kind]++;
     for (uint32_t k = 0; k < t->w->parts && !end; k++) {
         hit h;
         if (!(t->w->part[k].mask & g->mask)) continue;
         if (!trace_part(t, g, k, r, payload, &end, &h)) continue;
         if (g->first) end = true;
         else if (!met || h.t < r->tmax)  /* at equal t the first part stays */
-            best = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, r->tmax = h.t;
+            *best = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, r->tmax = h.t;
         met = true;
     }
     r->tmax = tmax;
-    t->counts.hits[kind] += met;
-    if (!met) {
-        if (g->miss) g->miss(t, *r, payload);
-    } else if (!g->first && g->closest_hit) g->closest_hit(t, *r, best, payload);
     return met;
 }
 
 /* Field by field: what is copied as a whole right after it was written waits for all of it. */
 __attribute__((always_inline))
-static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
+static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
-    return trace_own(t, kind, &own, payload);
+    bool met = trace_own(t, &t->program[kind], &own, payload, x);
+    t->counts.rays[kind]++, t->counts.hits[kind] += met;
+    return met;
+}
+
+static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
+{
+    const ray_program *g = &t->program[kind];
+    trace_hit x;
+    bool met = trace_find(t, kind, r, payload, &x);
+    if (!met && g->miss) g->miss(t, r, payload);
+    if (met && !g->first && g->closest_hit) g->closest_hit(t, r, x, payload);
+    return met;
 }
 
 static inline void trace_counts_add(trace_counts *to, const trace_counts *more)
