@@ -36,7 +36,7 @@ typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
 
 typedef struct {
     floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
-    whole4 near, far;                             /* rows, in bytes: where it enters and leaves */
+    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz, around, tail;
     union {                                       /* its interval, and what surely lies in it */
@@ -136,9 +136,11 @@ static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *ski
     q->inverse = i = floats4_max(floats4_min(i, FLOATS4_ALL(0x1p60f)), FLOATS4_ALL(-0x1p60f));
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     q->near_o = -(o * i) - error, q->far_o = error - o * i;
-    whole4 below = ((whole4)i >> 31) & 3;  /* enters by the high side, three rows on */
-    q->near = (int32_t)sizeof(eight) * ((whole4){0, 1, 2, 0} + below);
-    q->far = (int32_t)sizeof(eight) * ((whole4){3, 4, 5, 3} - below);
+    EIGHT_UNROLL
+    for (size_t k = 0; k < 3; k++) {  /* enters by the high side, three rows on, if it goes down */
+        size_t below = i[k] < 0 ? 3 : 0;
+        q->near[k] = sizeof(eight) * (k + below), q->far[k] = sizeof(eight) * (k + 3 - below);
+    }
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
     return true;
 }
