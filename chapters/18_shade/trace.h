@@ -25,8 +25,8 @@
  *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
- *   bool met = trace_find(&t, kind, r, &payload, &x);   the same, with its hit in x (not if the kind
- *                                        asks for the first); closest_hit and miss aren't called
+ *   bool met = trace_find(&t, kind, r, &payload, &x);   the same, and its hit in x (not if the
+ *                                 kind asks for the first); closest_hit and miss aren't called
  *
  * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
  * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,

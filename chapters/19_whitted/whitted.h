@@ -37,8 +37,8 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A branch counts if some colour of its weight is more than w->least. It goes on along its d, on the
- * side of `side`, whatever rounding makes of n.d; d, share and kind are known. */
+/* A branch counts if some colour of its weight is more than w->least. It goes on along its d, on
+ * the side of `side`, whatever rounding makes of n.d; d, share and kind are known. */
 static inline bool whitted_child(const whitted *w, const whitted_branch *b, const whitted_place *p,
                                  vec3 side, whitted_branch *child)
 {
