@@ -391,7 +391,7 @@ static void test_degenerate(void)
 /* sphere_hit computes one root and sphere_roots both: the first that the interval covers is the
  * same, to the last bit. But where o is outside by some epsilons, rounding may bring a root that
  * lies behind past 0: sphere_hit knows that it is behind, and twice the precision says so, too.
- * Rays from anywhere, from the surface in and out, from inside, past the outline. */
+ * Rays from anywhere, from the surface in, out and along it, from inside, past the outline. */
 static void test_one_root(void)
 {
     size_t n = check_count(200000), wrong = 0, hits = 0, behind = 0;
@@ -410,6 +410,7 @@ static void test_one_root(void)
         if (i % 5 == 1) r.o = vmadd(c, N, size * random_next(&s));
         if (i % 5 == 2) r = ray_from(vmadd(vmadd(c, u, size * off), N, -4 * size), N);
         if (i % 5 == 3) r.d = vneg(r.d);
+        if (i % 35 == 4) r.d = vmadd(u, N, 8 * sqrt(real_epsilon) * random_signed(&s));
         if (i % 11 == 0) r.tmax = size * random_next(&s);
         if (i % 13 == 0) r.tmin = size * random_next(&s);
         hit x = hit_none, y = hit_none;

@@ -76,8 +76,8 @@ typedef struct { double a, b, z[3], x, tmax; } doubtful;
 static bool in_doubt(doubtful c, bvh8_ray *q)
 {
     const double v[9] = {0, -c.a, c.z[0], 0, c.a, c.z[1], c.b, 0, c.z[2]};
-    const bvh8 w = {.scale = 1, .exact = true};
     bvh8_block one = {.index = {0}};
+    const bvh8 w = {.scale = 1, .exact = true, .block = &one};
     for (int j = 0; j < 9; j++) one.corner[j][0] = (float)v[j];
     for (int k = 1; k < 8; k++) one.index[k] = no_shape;
     ray r = {vec(c.x, 0, -1), 0, {0, 0, 1}, (real)c.tmax};

@@ -113,23 +113,33 @@ static bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     return true;
 }
 
-/* What (3.5) and (3.6) are made of. In double, whatever real is: in float far too many rays would
- * be in doubt. The rounding errors of D stay below 5.4 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 +
- * R^2)), see MEASURED.md; 10 leaves room. sure: the sign of D is; false for a NaN, too. */
-typedef struct { double a, ca, ff, rr, D; bool sure; } sphere_look;
+/* What (3.5) and (3.6) are made of, all but D. In double, whatever real is: in float far too many
+ * rays would be in doubt. fair: no square that matters has vanished; false for a NaN, too. */
+typedef struct { double dx, dy, dz, fx, fy, fz, a, ca, ff, rr; bool fair; } sphere_terms;
 
-static inline sphere_look sphere_look_at(sphere s, ray r)
+static inline sphere_terms sphere_terms_of(sphere s, ray r)
 {
-    const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
+    const double tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
     double dx = (double)r.d.x, fx = (double)r.o.x - (double)s.c.x, R = (double)s.r;
     double dy = (double)r.d.y, fy = (double)r.o.y - (double)s.c.y;
     double dz = (double)r.d.z, fz = (double)r.o.z - (double)s.c.z;
-    double x = dy * fz - dz * fy, y = dz * fx - dx * fz, z = dx * fy - dy * fx;
     double a = dx * dx + dy * dy + dz * dz, ca = -(dx * fx + dy * fy + dz * fz);  /* (3.4) */
-    double ff = fx * fx + fy * fy + fz * fz, rr = R * R, size = ff + rr;
-    double arr = a * rr, xx = x * x + y * y + z * z, D = arr - xx;                       /* (3.5) */
-    bool sure = a > tiny && size > tiny && D * D > noise * noise * (arr + xx) * (a * size);
-    return (sphere_look){a, ca, ff, rr, D, sure};
+    double ff = fx * fx + fy * fy + fz * fz, rr = R * R;
+    return (sphere_terms){dx, dy, dz, fx, fy, fz, a, ca, ff, rr, a > tiny && ff + rr > tiny};
+}
+
+/* The rounding errors of D stay below 5.4 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see
+ * MEASURED.md; 10 leaves room. sure: the sign of D is. */
+typedef struct { double a, ca, ff, rr, D; bool sure; } sphere_look;
+
+static inline sphere_look sphere_look_at(const sphere_terms *q)
+{
+    const double noise = 10 * DBL_EPSILON;
+    double x = q->dy * q->fz - q->dz * q->fy, y = q->dz * q->fx - q->dx * q->fz;
+    double z = q->dx * q->fy - q->dy * q->fx;
+    double arr = q->a * q->rr, xx = x * x + y * y + z * z, D = arr - xx;                 /* (3.5) */
+    bool sure = D * D > noise * noise * (arr + xx) * (q->a * (q->ff + q->rr));
+    return (sphere_look){q->a, q->ca, q->ff, q->rr, D, q->fair && sure};
 }
 
 /* (3.7): o lies near the surface; k exactly. */
@@ -140,7 +150,8 @@ static inline double sphere_power_exactly(sphere s, ray r)
 
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
-    sphere_look q = sphere_look_at(s, r);
+    sphere_terms terms = sphere_terms_of(s, r);
+    sphere_look q = sphere_look_at(&terms);
     if (!q.sure) return sphere_roots_in_doubt(s, r, t0, t1);
     if (q.D < 0) return false;
     double hc = sqrt(q.D), near = q.ca - hc, far = q.ca + hc;          /* each times a    (3.6) */
@@ -156,14 +167,18 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 
 /* The first root alone, where it is clear which one that is. f is off by epsilon / 2 of itself,
  * its squares, their sums and R^2 are rounded: k = ff - rr is off by less than 2.5 epsilon
- * (ff + rr). So beyond 3 its sign is sure: outside with the centre behind, both roots are behind,
- * and nothing is left to compute; inside, far is the one. All else as above, to the last bit. */
+ * (ff + rr). So beyond 3 its sign is sure: outside with the centre behind, both roots are behind.
+ * (Should only rounding put it there, true ca is below 4 epsilon |d| |f|, and D = ca^2 - a k < 0:
+ * no root.) Then D is not needed; rays that leave this sphere are of that kind. Inside, far is the
+ * one. All else as above, to the last bit. */
 static inline bool sphere_hit(sphere s, ray r, hit *out)
 {
-    sphere_look q = sphere_look_at(s, r);
-    double k = q.ff - q.rr, off = DBL_EPSILON * (q.ff + q.rr);
+    sphere_terms terms = sphere_terms_of(s, r);
+    double k = terms.ff - terms.rr, off = DBL_EPSILON * (terms.ff + terms.rr);
+    if (terms.fair && r.tmin == 0 && k > 3 * off && terms.ca < 0) return false;
+    sphere_look q = sphere_look_at(&terms);
     bool sure = q.sure && r.tmin == 0, inside = k < 0 && q.ca >= 0;
-    if (sure && (q.D < 0 || (k > 3 * off && q.ca < 0))) return false;
+    if (sure && q.D < 0) return false;
     if (!sure || !(fabs(k) > (inside ? 3 : 10) * off)) {
         real t0, t1;
         return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);

@@ -36,7 +36,7 @@ typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
 
 typedef struct {
     floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
-    whole4 near, far;                             /* rows, in bytes: where it enters and leaves */
+    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz, around, tail;
     union {                                       /* its interval, and what surely lies in it */
@@ -44,7 +44,8 @@ typedef struct {
         struct { float tmin, limit, sure_min, sure_max; };
     };
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
-    ray *r;                                       /* tmax is the t of `best` */
+    const ray *r;
+    real tmax;                                    /* the t of `best`; until then that of r */
     const bvh8_skip *skip;
     hit best;                                     /* of what was asked in `real` */
     int doubts;
@@ -99,17 +100,30 @@ static bool bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real *size)
     return true;
 }
 
+/* What triangles need: (4.9), from the axis along which d is longest. */
+__attribute__((always_inline))
+static inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
+{
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    int kz = vlongest(q->r->d), kx = next[kz + 1], ky = next[kz + 2];
+    q->kx = sizeof(eight) * (size_t)kx, q->ky = sizeof(eight) * (size_t)ky;
+    q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = q->inverse[kz];
+    q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
+    q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
+    q->around = S * 0x1.8p-20f + 16 * owed;                                          /* (15.7) */
+    q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
+}
+
 /* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
  * was written waits for all that is under way. Sums are NaN or too large where any number is. */
 __attribute__((always_inline))
-static inline bool bvh8_ray_of(const bvh8 *w, ray *r, const bvh8_skip *skip, bvh8_ray *q)
+static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    int kz = vlongest(r->d), kx = next[kz + 1], ky = next[kz + 2];
     vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
     real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
     real way = real_max(real_max(real_max(x, y), z), 1), size = way;
-    q->r = r, q->skip = skip, q->best = hit_none, q->sheared = false, q->doubts = 0;
+    q->r = r, q->tmax = r->tmax, q->skip = skip, q->best = hit_none;
+    q->sheared = false, q->doubts = 0;
     q->scale = (double)w->scale, q->shift = 0;
     if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20)
         && !bvh8_ray_moved(q, &at, &d, &size)) return false;
@@ -122,15 +136,12 @@ static inline bool bvh8_ray_of(const bvh8 *w, ray *r, const bvh8_skip *skip, bvh
     q->inverse = i = floats4_max(floats4_min(i, FLOATS4_ALL(0x1p60f)), FLOATS4_ALL(-0x1p60f));
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     q->near_o = -(o * i) - error, q->far_o = error - o * i;
-    whole4 below = ((whole4)i >> 31) & 3;  /* enters by the high side, three rows on */
-    q->near = (int32_t)sizeof(eight) * ((whole4){0, 1, 2, 0} + below);
-    q->far = (int32_t)sizeof(eight) * ((whole4){3, 4, 5, 3} - below);
-    q->kx = sizeof(eight) * (size_t)kx, q->ky = sizeof(eight) * (size_t)ky;
-    q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = i[kz];
-    q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
-    q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
-    q->around = S * 0x1.8p-20f + 16 * owed;                                          /* (15.7) */
-    q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
+    EIGHT_UNROLL
+    for (size_t k = 0; k < 3; k++) {  /* enters by the high side, three rows on, if it goes down */
+        size_t below = i[k] < 0 ? 3 : 0;
+        q->near[k] = sizeof(eight) * (k + below), q->far[k] = sizeof(eight) * (k + 3 - below);
+    }
+    if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
     return true;
 }
 
@@ -159,6 +170,13 @@ static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *ente
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* What is left of it. */
+__attribute__((always_inline))
+static inline ray bvh8_rest(const bvh8_ray *q)
+{
+    return (ray){q->r->o, q->r->tmin, q->r->d, q->tmax};
+}
+
 static inline const ray_shear *bvh8_shear(bvh8_ray *q)
 {
     if (!q->sheared) q->shear = shear_of(*q->r), q->sheared = true;
@@ -169,7 +187,7 @@ static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 {
     h.shape = i;
     if (!hit_before(h, q->best)) return;
-    q->best = (hit){h.t, h.u, h.v, i}, q->r->tmax = h.t, q->limit = bvh8_limit(q, h.t);
+    q->best = (hit){h.t, h.u, h.v, i}, q->tmax = h.t, q->limit = bvh8_limit(q, h.t);
 }
 
 /* How often this thread asked in `real`: for whoever wants to count. */
@@ -187,7 +205,7 @@ static inline bool bvh8_exactly(const bvh8 *w, const bvh8_doubt *d, bvh8_ray *q,
                         bvh8_back(w, c[48], c[56], c[64])};
     vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), g = shear_corner(&t.c, s);
     vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
-    return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, *q->r, out);
+    return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, bvh8_rest(q), out);
 }
 
 /* True: there is a hit. */
@@ -203,6 +221,15 @@ static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
     return q->best.shape != no_shape;
 }
 
+/* flatten: sphere_hit in here, or sphere and ray are copied to hand them over. */
+__attribute__((noinline, flatten))
+static bool bvh8_sphere(const sphere *x, uint32_t i, bvh8_ray *q)
+{
+    hit h;
+    if (sphere_hit(*x, bvh8_rest(q), &h)) bvh8_keep(q, h, i);
+    return q->best.shape != no_shape;
+}
+
 __attribute__((always_inline))
 static inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
@@ -211,8 +238,8 @@ static inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
     hit h;
     if (i == but->from || i - but->first <= but->last - but->first)
         return q->best.shape != no_shape;
-    if (x->kind == SHAPE_SPHERE ? sphere_hit(x->sphere, *q->r, &h)
-        : shape_hit_sheared(x, bvh8_shear(q), *q->r, &h)) bvh8_keep(q, h, i);
+    if (x->kind == SHAPE_SPHERE) return bvh8_sphere(&x->sphere, i, q);
+    if (shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h)) bvh8_keep(q, h, i);
     return q->best.shape != no_shape;
 }
 

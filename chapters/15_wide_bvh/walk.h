@@ -7,7 +7,7 @@
  * others wait on the stack, farthest first. A block's eight triangles are tested at once, in float
  * with its bounds (ray8.h). What is in doubt is asked in `real` at once. What is surely hit is
  * written down, and asked at the end: by then most of it lies behind something else, and one is
- * left. A search for any hit ends there. The ray is the caller's to lose: its tmax shrinks.
+ * left. A search for any hit ends there.
  */
 
 /* (15.2) of eight children: a bit for each that is met, and where, not before 0. */
@@ -118,14 +118,15 @@ static inline bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search
 }
 
 __attribute__((noinline))
-static bool EIGHT(bvh8_search)(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out,
+static bool EIGHT(bvh8_search)(const bvh8 *w, const ray *r, const bvh8_skip *skip, hit *out,
                                search_work *work)
 {
     bvh8_ray q;
     if (w->nodes == 0 || !bvh8_ray_of(w, r, skip, &q)) return false;
     if (work ? EIGHT(bvh8_walk)(w, &q, !out, work) : out ? EIGHT(bvh8_walk)(w, &q, false, NULL)
         : EIGHT(bvh8_walk)(w, &q, true, NULL)) return true;
-    if (!bvh8_settle(w, &q)) return false;
+    if (q.doubts) bvh8_settle(w, &q);
+    if (q.best.shape == no_shape) return false;
     if (out) *out = (hit){q.best.t, q.best.u, q.best.v, q.best.shape};
     return true;
 }

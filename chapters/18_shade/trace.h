@@ -25,6 +25,8 @@
  *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
+ *   bool met = trace_find(&t, kind, r, &payload, &x);   the same, and its hit in x (not if the
+ *                                 kind asks for the first); closest_hit and miss aren't called
  *
  * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
  * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,
@@ -78,6 +80,7 @@ static const char *const ray_kind_names[ray_kinds] = {"camera", "shadow", "refle
                                                       "refraction", "sight"};
 
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
+static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -163,38 +166,62 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     }
 }
 
-/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
-static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, ray r,
-                              void *payload, bool *end, hit *h)
+static inline bool trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
+                                     void *payload, bool *end, hit *h)
 {
-    const world_part *p = &t->w->part[k];
-    if (!g->any_hit || p->opaque)
-        return g->first ? bvh8_occluded(&p->tree, r) : bvh8_hit(&p->tree, r, h);
     trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
-    trace_ask(&a, &p->tree);
+    trace_ask(&a, &t->w->part[k].tree);
     *end = a.end && !g->first;
     if (a.met && !g->first) *h = a.q.best;
     return a.met;
 }
 
+/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
+__attribute__((always_inline))
+static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, const ray *r,
+                              void *payload, bool *end, hit *h)
+{
+    const world_part *p = &t->w->part[k];
+    if (!g->any_hit || p->opaque)
+        return bvh8_ask(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
+    return trace_part_asking(t, g, k, *r, payload, end, h);
+}
+
+static inline bool trace_own(const tracer *t, const ray_program *g, ray *r, void *payload,
+                             trace_hit *best)
+{
+    real tmax = r->tmax;
+    bool met = false, end = false;
+    for (uint32_t k = 0; k < t->w->parts && !end; k++) {
+        hit h;
+        if (!(t->w->part[k].mask & g->mask)) continue;
+        if (!trace_part(t, g, k, r, payload, &end, &h)) continue;
+        if (g->first) end = true;
+        else if (!met || h.t < r->tmax)  /* at equal t the first part stays */
+            *best = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, r->tmax = h.t;
+        met = true;
+    }
+    r->tmax = tmax;
+    return met;
+}
+
+/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+__attribute__((always_inline))
+static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x)
+{
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+    bool met = trace_own(t, &t->program[kind], &own, payload, x);
+    t->counts.rays[kind]++, t->counts.hits[kind] += met;
+    return met;
+}
+
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
 {
     const ray_program *g = &t->program[kind];
-    trace_hit best = {hit_none, 0};
-    bool met = false, end = false;
-    ray rest = r;
-    t->counts.rays[kind]++;
-    for (uint32_t k = 0; k < t->w->parts && !end && !(met && g->first); k++) {
-        hit h = hit_none;
-        if (!(t->w->part[k].mask & g->mask)) continue;
-        if (!trace_part(t, g, k, rest, payload, &end, &h)) continue;
-        if (!met || h.t < best.h.t) best = (trace_hit){h, k};  /* at equal t the first part stays */
-        met = true;
-        if (!g->first) rest.tmax = best.h.t;
-    }
-    t->counts.hits[kind] += met;
+    trace_hit x;
+    bool met = trace_find(t, kind, r, payload, &x);
     if (!met && g->miss) g->miss(t, r, payload);
-    if (met && !g->first && g->closest_hit) g->closest_hit(t, r, best, payload);
+    if (met && !g->first && g->closest_hit) g->closest_hit(t, r, x, payload);
     return met;
 }
 

@@ -37,18 +37,18 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A branch counts if some colour of its weight is more than w->least. It goes on along d, on the
- * side of `side`, whatever rounding makes of n.d. */
+/* A branch counts if some colour of its weight is more than w->least. It goes on along its d, on
+ * the side of `side`, whatever rounding makes of n.d; d, share and kind are known. */
 static inline bool whitted_child(const whitted *w, const whitted_branch *b, const whitted_place *p,
-                                 ray_kind kind, vec3 side, vec3 d, vec3 share,
-                                 whitted_branch *child)
+                                 vec3 side, whitted_branch *child)
 {
-    vec3 weight = vmul(vmul(b->weight, p->left), share);
+    child->weight = vmul(vmul(b->weight, p->left), child->share);
+    vec3 weight = child->weight;
     bool counts = weight.x > w->least || weight.y > w->least || weight.z > w->least;
     if (!counts && !(w->spend_all && vzero(weight))) return false;
-    vec3 o = leave_point(surface_copy(&p->s), side, p->more);
-    *child = (whitted_branch){{o, 0, d, real_infinity}, weight, share, b->in, b->depth + 1, kind,
-                              b->number};
+    child->r.o = leave_point(surface_copy(&p->s), side, p->more);
+    child->r.tmin = 0, child->r.tmax = real_infinity;
+    child->in = b->in, child->depth = b->depth + 1, child->number = b->number;
     return true;
 }
 
@@ -63,14 +63,17 @@ static inline int whitted_children(const whitted *w, const whitted_branch *b,
         snell x;
         bool bends = snell_of(d, p->s.ns, w->media[p->inside].ior, w->media[p->beyond].ior, &x);
         real R = fresnel(&x);
-        vec3 kt = vscale(p->m->through, 1 - R), on = snell_refract(&x, d, p->s.ns);
-        M = vscale(M, R);
-        if (bends && whitted_child(w, b, p, RAY_REFRACTION, down, lifted(on, down), kt, &child[n]))
-            child[n++].in = p->after;
-    } else if (w->spend_all)
-        n += whitted_child(w, b, p, RAY_REFRACTION, down, d, (vec3){0, 0, 0}, &child[n]);
-    vec3 back = lifted(reflect(d, p->s.ns), up);
-    return n + whitted_child(w, b, p, RAY_REFLECTION, up, back, M, &child[n]);
+        M = vscale(M, R), child->kind = RAY_REFRACTION;
+        child->share = vscale(p->m->through, 1 - R);
+        child->r.d = lifted(snell_refract(&x, d, p->s.ns), down);
+        if (bends && whitted_child(w, b, p, down, child)) child[n++].in = p->after;
+    } else if (w->spend_all) {
+        child->kind = RAY_REFRACTION, child->share = (vec3){0, 0, 0}, child->r.d = d;
+        n += whitted_child(w, b, p, down, child);
+    }
+    child[n].kind = RAY_REFLECTION, child[n].share = M;
+    child[n].r.d = lifted(reflect(d, p->s.ns), up);
+    return n + whitted_child(w, b, p, up, &child[n]);
 }
 
 /* What comes back along b, as L / n^2 (19.11). */

@@ -44,12 +44,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void whitted_remember(tracer *t, ray r, trace_hit x, void *payload)
-{
-    (void)t, (void)r;
-    *(trace_hit *)payload = x;
-}
-
 /* Glass dims the light, and does not bend it: a shadow ray has no other way to go. */
 static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
 {
@@ -61,10 +55,10 @@ static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, v
 }
 
 static const ray_program whitted_programs[ray_kinds] = {
-    [RAY_CAMERA] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_CAMERA] = {MASK_SEEN, false, NULL, NULL, NULL},
     [RAY_SHADOW] = {MASK_SHADOW, true, whitted_dims, NULL, NULL},
-    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, NULL, NULL},
+    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, NULL, NULL},
     [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
 };
 
@@ -89,15 +83,16 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
     const material *m = &p->m->base;
     const surface *s = &p->s;
     vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
-    for (int i = 0; i < w->n; i++) {
+    bool reflects = material_reflects(m);
+    for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
         light_sample x;
-        bool counts = material_reflects(m) && light_reaches(L, s->p, s->n, s->ns, &x);
+        bool counts = reflects && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
                                        : leave(surface_copy(s), L->at);
         real lit = 1;
-        if (trace(t, RAY_SHADOW, r, &lit)) lit = 0;
+        if (trace_find(t, RAY_SHADOW, r, &lit, NULL)) lit = 0;
         if (w->log)
             w->log->add(w->log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
         if (counts && lit > 0)
@@ -111,7 +106,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
 static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, whitted_place *p)
 {
     const whitted *w = t->user;
-    p->s = surface_of_trace(t, b->r, x);
+    surface s = surface_of_trace(t, b->r, x);
+    p->s = surface_copy(&s);
     p->m = w->material_of(w->context, x, &p->s, &p->room);
     p->more = 0;
     if (p->m->body) {
@@ -132,7 +128,7 @@ static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
     const whitted *w = t->user;
     for (p->left = (vec3){1, 1, 1};;) {
         trace_hit x;
-        bool met = trace(t, b->kind, b->r, &x);
+        bool met = trace_find(t, b->kind, b->r, NULL, &x);
         if (w->log) b->number = w->log->add(w->log, b->kind, b->number, b->depth, b->r,
                                             met ? x.h.t : real_infinity,
                                             vmul(b->weight, p->left), 0);

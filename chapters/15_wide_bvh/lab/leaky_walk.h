@@ -2,7 +2,7 @@
  * dialect, by dialects.h: no guard.
  */
 __attribute__((noinline))
-static bool EIGHT(bvh8_leaky)(const bvh8 *w, ray *r, hit *out)
+static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
 {
     uint64_t stack[512];
     int top = 0;

@@ -39,17 +39,11 @@ typedef struct { ray r; int depth; ray_kind kind; } spd_branch;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void spd_remember(tracer *t, ray r, trace_hit x, void *payload)
-{
-    (void)t, (void)r;
-    *(trace_hit *)payload = x;
-}
-
 static const ray_program spd_programs[ray_kinds] = {
-    [RAY_CAMERA] = {MASK_SEEN, false, NULL, spd_remember, NULL},
+    [RAY_CAMERA] = {MASK_SEEN, false, NULL, NULL, NULL},
     [RAY_SHADOW] = {MASK_SHADOW, true, NULL, NULL, NULL},
-    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, spd_remember, NULL},
-    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, spd_remember, NULL},
+    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, NULL, NULL},
+    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, NULL, NULL},
 };
 
 /* The branches of a hit; at the last depth none. */
@@ -82,7 +76,7 @@ static inline void spd_eye_ray(tracer *t, const world *w, ray r)
     while (top > 0) {
         spd_branch b = stack[--top];
         trace_hit x;
-        if (!trace(t, b.kind, b.r, &x)) continue;
+        if (!trace_find(t, b.kind, b.r, NULL, &x)) continue;
         surface s = surface_of_trace(t, b.r, x);
         finish f = world_finish(w, x.h.shape);
         bool entering = vdot(s.n, b.r.d) < 0;
