@@ -666,7 +666,8 @@ static void test_bounds_from_afar(void)
 }
 
 /* Corners of a mesh as far off the plane that counts for them as it lets them (6.7), and a ray as
- * flat as it may be: t is that of the plane, 64 times as far along, beyond the mesh's edge. */
+ * flat as it may be: t is that of the plane, 64 times as far along, beyond the mesh's edge. Every
+ * other ray is four times as flat, and must not get that far. */
 static void test_bounds_of_planes(void)
 {
     size_t lost = 0, met = 0, n = check_count(8000);
@@ -682,7 +683,7 @@ static void test_bounds_of_planes(void)
         csg c = joined(solid, 2, CSG_SOLID, false);
         vec3 at = vmadd(vadd(axis[2], axis[0]), axis[1], random_next(&s) - (real)0.5);
         at = vmadd(at, axis[0], -1024 * real_epsilon * random_next(&s));
-        vec3 d = vmadd(axis[0], axis[2], (real)(1.001 / 64));
+        vec3 d = vmadd(axis[0], axis[2], (real)(1.001 / (i % 2 ? 64 : 256)));
         ray r = ray_from(vmadd(vmadd(at, axis[2], -20 * real_epsilon), d, (real)-0.01), d);
         csg_crossing x[14];
         if (csg_solid_crossings(&c.solid[0], r, 0, x) == 2) {
@@ -694,6 +695,97 @@ static void test_bounds_of_planes(void)
     }
     check_equal(lost, 0, "bounds lose none of %zu hits beside a mesh's edge", met);
     check_at_least((double)met, 0.2 * (double)n, "the test sees hits");
+}
+
+/* How far corners of a cube lie off the planes of the box with its faces, in the unit of (6.7). */
+static double off_planes(const csg_solid *cube, const csg_solid *box)
+{
+    double most = 0;
+    for (size_t f = 0; f < 6; f++) {
+        csg_plane g = coplanar_face(box, f);
+        for (size_t i = 0; i < 12; i++) {
+            const triangle t = cube->mesh.tri[i];
+            real a = fabs(vdot(g.n, t.a) - g.h), b = fabs(vdot(g.n, t.b) - g.h);
+            real c = fabs(vdot(g.n, t.c) - g.h), off = real_max(a, real_max(b, c));
+            real far = real_max(real_max(vlength(t.a), vlength(t.b)), vlength(t.c));
+            if (off < (real)0.5)
+                most = fmax(most, (double)(off / (vlength(g.n) * far + fabs(g.h))));
+        }
+    }
+    return most / eps;
+}
+
+/* To the cube whose corners lie farthest off the planes that they were made from, by climbing: 2.9
+ * of the 8 epsilon. Each face must find its plane. */
+static void test_planes_climbed_to(void)
+{
+    double most = 0;
+    size_t lost = 0;
+    for (uint64_t i = 0; i < 8; i++) {
+        random_stream s = random_start(80, i, 0);
+        vec3 v = random_in_cube(&s, 1), at = vscale(random_in_cube(&s, 1),
+                                                      pow((real)10, random_between(&s, -2, 2)));
+        double best = -1;
+        for (int k = 0; k < 4000; k++) {
+            vec3 w = v, to = at, n[3];
+            real *part[6] = {&w.x, &w.y, &w.z, &to.x, &to.y, &to.z}, lo[3], hi[3];
+            for (int m = k ? (int)random_between(&s, 1, 4) : 0; m > 0; m--)
+                *part[random_below(&s, 6)] *=
+                    1 + random_between(&s, -1, 1)
+                            * pow((real)10, random_between(&s, real_is_float ? -7 : -16, -1));
+            n[0] = vunit(w);
+            vbasis(n[0], &n[1], &n[2]);
+            for (int q = 0; q < 3; q++) lo[q] = vdot(n[q], to) - 1, hi[q] = vdot(n[q], to) + 1;
+            csg_solid cube = csg_scene_cube(n, to), box = csg_box_turned(n, lo, hi);
+            double off = off_planes(&cube, &box);
+            if (off >= best) {
+                best = off, v = w, at = to;
+                for (size_t q = 0; q < 12; q++)
+                    lost += vzero(coplanar_plane(&box, 1, cube.mesh.tri[q]).n);
+            }
+            free((void *)(uintptr_t)cube.mesh.tri);
+        }
+        most = fmax(most, best);
+    }
+    check_equal(lost, 0, "faces of a cube that miss their box's plane");
+    check_at_least(most, 2.2, "the climb gets more than 2 epsilon off them");
+}
+
+/* Flat lines on to a face across an axis: the place that the plane gives is off it by the rounding
+ * of o + t d, most of all near 0, and the mesh must take it for one of its own. */
+static void test_flat_on_faces(void)
+{
+    static const csg_step step[1] = {{CSG_SOLID, 0}};
+    const vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    size_t met = 0, apart = 0, n = check_count(8000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(23, i, 0);
+        vec3 at = random_in_cube(&s, 2), c = {0, 0, 0};
+        at.z = random_between(&s, -1, 1) / 1024 - 1;
+        csg_solid solid[2] = {csg_scene_cube(axis, at), {.kind = CSG_BOX}};
+        const triangle *t = solid[0].mesh.tri;
+        real lo[3], hi[3];
+        for (int k = 0; k < 3; k++) lo[k] = real_infinity, hi[k] = -real_infinity;
+        for (int q = 0; q < 12; q++)
+            for (int k = 0; k < 3; k++)
+                lo[k] = real_min(lo[k], vaxis(t[q].a, k)),
+                hi[k] = real_max(hi[k], vaxis(t[q].a, k));
+        solid[1] = csg_box_turned(axis, lo, hi);
+        csg m = built((csg_model){solid, 2, step, 1}, false);
+        for (int k = 0; k < 3; k++)
+            c = vwith(c, k, lo[k] + (hi[k] - lo[k]) * random_between(&s, (real)0.3, (real)0.7));
+        c.z = hi[2];
+        vec3 d = {random_between(&s, -1, 1), random_between(&s, -1, 1), 0};
+        d.z = -vlength(d) / random_between(&s, 70, 400);
+        ray r = ray_from(vmadd(c, d, -random_between(&s, 1, 9)), d);
+        csg_crossing x[14], y[2];
+        if (csg_solid_crossings(&m.solid[0], r, 0, x) == 2
+            && csg_solid_crossings(&m.solid[1], r, 0, y) == 2)
+            met++, apart += x[0].t != y[0].t;
+        csg_free(&m), free((void *)(uintptr_t)t);
+    }
+    check_equal(apart, 0, "a flat line finds another t on a mesh than on the box, of %zu", met);
+    check_at_least((double)met, 0.5 * (double)n, "the test sees hits");
 }
 
 /* ---- eyes inside, intervals ---- */
@@ -992,6 +1084,8 @@ int main(void)
     test_bounds();
     test_bounds_from_afar();
     test_bounds_of_planes();
+    test_planes_climbed_to();
+    test_flat_on_faces();
     test_interval();
     test_ways();
     test_strange_solids();

@@ -65,6 +65,37 @@ static void test_touching_triangles(void)
     check_equal(lost_polygon, 0, "the axes say no to a box that holds a point of the polygon");
 }
 
+/* Triangles climbed to: a corner of a box at a point of the triangle (a weighted mean of corners,
+ * exactly) that the normal, rounded, puts 2 of the 4 epsilon beyond all three corners. The first in
+ * double, the second in float. */
+static void test_touching_climbed_to(void)
+{
+    static const double list[2][9] = {
+        {0x1.5cd20390a634p-2, 0x1.ff5414528494p-1, -0x1.1be9ee2ff52ap-1,
+         0x1.ccebc8e78b7ep-1, 0x1.fe911456837p-1, -0x1.85be22462c8p-3,
+         0x1.435861a2152ap-1, 0x1.ff3c182e6408p-1, 0x1.616228dd705p-4},
+        {-0x1.9ce5p-1, 0x1.7cf7p-1, 0x1.75e8p-3, -0x1.9ccap-1, -0x1.865d8p-1, -0x1.88b18p-1,
+         -0x1.9cd84p-1, 0x1.4e67cp-1, -0x1.65628p-1}};
+    static const int weight[][3] = {{2, 2, 0}, {0, 1, 3}, {1, 0, 3}, {1, 1, 2}, {2, 1, 1},
+                                    {1, 2, 1}};
+    const double *x = list[real_is_float];
+    vec3 q[3];
+    for (int k = 0; k < 3; k++)
+        q[k] = (vec3){(real)x[3 * k], (real)x[3 * k + 1], (real)x[3 * k + 2]};
+    shape s = shape_of_triangle((triangle){q[0], q[1], q[2]});
+    scene world = {&s, 1};
+    items one = items_of_scene(&world);
+    vec3 n = vcross(vsub(q[1], q[0]), vsub(q[2], q[0])), far = {2, 2, 2};
+    for (int i = 0; i < 12; i++) {  /* the box lies to the one side of the plane, or the other */
+        vec3 p = {0, 0, 0}, to = i % 2 ? far : vneg(far);
+        for (int k = 0; k < 3; k++) p = vmadd(p, q[k], (real)weight[i / 2][k] / 4);
+        to = (vec3){copysign(to.x, n.x * to.x), copysign(to.y, n.y * to.y),
+                    copysign(to.z, n.z * to.z)};
+        check(items_overlap_box(&one, 0, (aabb){vmin(p, to), vmax(p, to)}),
+              "no to a box whose corner is on the triangle, %d", i);
+    }
+}
+
 /* (1,2,2) is 3 long, (2,3,6) 7, and so on: c + k (1,2,2) is exactly 3 k from c. And w square to it
  * is the axis of a cylinder and of a cone. */
 static void test_touching_round(void)
@@ -238,6 +269,7 @@ static void test_sick(void)
 int main(void)
 {
     test_touching_triangles();
+    test_touching_climbed_to();
     test_touching_round();
     test_touching_spheres();
     test_equals_exact();

@@ -253,6 +253,24 @@ static void test_sheet(void)
     mesh_free(&m);
 }
 
+/* Two triangles, one so many epsilon of their size over the other. As far as 22 cuts may take a
+ * corner off its plane, 6 + 22 times 2.6 (side.h), it is in it; from 64 on it is not. */
+static void test_nearly_in_a_plane(void)
+{
+    static const struct { int off; size_t nodes; } list[4] = {{0, 1}, {17, 1}, {63, 1}, {65, 2}};
+    for (int i = 0; i < 8; i++) {
+        mesh m = mesh_room(2);
+        real over = (real)list[i / 2].off * 2 * real_epsilon * (i % 2 ? 1 : -1);
+        set_triangle(&m, 0, (vec3){-1, -1, 0}, (vec3){1, -1, 0}, (vec3){-1, 1, 0});
+        set_triangle(&m, 1, (vec3){1, -1, over}, (vec3){1, 1, over}, (vec3){-1, 1, over});
+        painter p;
+        failure f;
+        check(painter_build(&m, painter_defaults, &p, &f), "two triangles");
+        check_equal(p.nodes, list[i / 2].nodes, "%d epsilon over a plane: nodes", list[i / 2].off);
+        painter_free(&p), mesh_free(&m);
+    }
+}
+
 static void test_odd_input(void)
 {
     mesh m = mesh_room(4);
@@ -295,6 +313,7 @@ int main(void)
     test_scale();
     test_area();
     test_sheet();
+    test_nearly_in_a_plane();
     test_odd_input();
     return check_report("13_painter");
 }

@@ -448,6 +448,36 @@ static void test_touch(void)
     check_equal(lost[1], 0, "and with it seen: (1 - R) / n^2 of its radiance, of %zu", n);
 }
 
+/* A face is found as far as both may be off their places, each by error + noise, and no farther. */
+static void test_reach(void)
+{
+    static const struct { double off; bool found; } list[] = {
+        {0, true}, {0.55, true}, {1.9, true}, {2.1, false}};
+    for (size_t i = 0; i < 2 * (sizeof list / sizeof *list); i++) {
+        stage s = {0};
+        stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_clear(1, 1));
+        ray r = ray_from((vec3){(real)0.5, (real)0.25, 3}, (vec3){0, 0, -1});
+        tracer t = stage_begin(&s, 3);
+        trace_hit x = {{3, 0, 0, 0}, 0};
+        surface on = surface_of_trace(&t, r, x);
+        real z = (real)list[i / 2].off * (on.error + on.noise) * (i % 2 ? 1 : -1);
+        stage_end(&s);
+
+        s = (stage){0};
+        stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_clear(1, 1));
+        stage_square(&s, (vec3){0, 0, z}, 1, true, whitted_paint(1, 1, 1));
+        t = stage_begin(&s, 3);
+        whitted_material room, glass = whitted_clear(1, 1);
+        const whitted_material *m = &glass;
+        media_crossing c = {0};
+        on = surface_of_trace(&t, r, x);
+        contact_find(&t, r, x, &on, &m, &room, &c);
+        check((m != &glass) == list[i / 2].found, "a table %g (error + noise) from glass",
+              list[i / 2].off);
+        stage_end(&s);
+    }
+}
+
 /* An eye in a ball of glass: the walk finds out at the exit. Which way the tank's faces look. */
 static void test_inside(void)
 {
@@ -682,6 +712,7 @@ int main(void)
     test_nested();
     test_on_table();
     test_touch();
+    test_reach();
     test_inside();
     test_looks();
     test_called_for();

@@ -110,6 +110,23 @@ static void test_hard_spheres(void)
     check_at_least((double)negative, 10, "naive: negative light");
 }
 
+/* Climbed to: d^2 - R^2 is some 1/8 of d^2. If it came from d alone, E would be off by 18 to 21
+ * epsilon. {R, across, height}: the first in double, the others in float. */
+static void test_near_spheres(void)
+{
+    static const double list[3][3] = {
+        {0x1.f3d182753b0d5p-1, 0x1.d6343dd290f9cp-1, -0x1.0088a7f600cc1p-1},
+        {0x1.0124252b5be4dp-1, 0x1.e89859a371abbp-2, -0x1.0520061eb41e2p-2},
+        {0x1.fa498357b0ea7p-1, 0x1.e1943f9ff5424p-1, -0x1.002ce1d31b25p-1}};
+    for (int i = 0; i < 3; i++) {
+        real r = (real)list[i][0], a = (real)list[i][1], h = (real)list[i][2];
+        double exact = sphere_irradiance_exact((double)r, (double)a, (double)h);
+        check_at_most(relative((double)sphere_irradiance((sphere){{a, 0, h}, r}, seen_from,
+                                                         seen_up), exact), 16 * eps,
+                      "a near sphere, half below, %d", i);
+    }
+}
+
 /* Turned any way, E is the same, as well as n and p know where they are. */
 static void test_turned_spheres(void)
 {
@@ -291,15 +308,43 @@ static void test_random_triangles(void)
                   "random triangles: 99 %% within 64 epsilon");
 }
 
+/* As small as lets the terms of (22.15) leave 1/32 to 1/128 of themselves: by the sum they would be
+ * off by 90 epsilon; integrated, by 4. */
+static void test_small_triangles(void)
+{
+    double worst = 0;
+    size_t many = 0;
+    for (size_t i = 0; i < check_count(40000); i++) {
+        random_stream s = random_start(97, 0, i);
+        real size = pow((real)2, -random_between(&s, 3, 8)), terms;
+        vec3 a = {random_between(&s, -1, 1), random_between(&s, -1, 1), 0}, p = {0, 0, 0};
+        a.z = random_between(&s, (real)0.3, 1), a = vunit(a);
+        triangle t = {a, vmadd(a, random_in_cube(&s, 1), size),
+                      vmadd(a, random_in_cube(&s, 1), size)};
+        vec3 v[3] = {t.a, t.b, t.c}, area = vcross(vsub(t.b, t.a), vsub(t.c, t.a));
+        if (vlength(area) < size * size / 3 || fabs(vdot(vunit(area), a)) < (real)0.3) continue;
+        seen_polygon seen = polygon_seen(v, 3, p);
+        real sum = lambert_sum(&seen, seen_up, &terms);
+        if (!(terms > 32 * sum && terms < 128 * sum)) continue;
+        many++;
+        worst = check_worse(worst, relative((double)polygon_irradiance(v, 3, p, seen_up),
+                                            polygon_irradiance_exact(v, 3, p)));
+    }
+    check_at_most(worst, 16 * eps, "small triangles, %zu", many);
+    check_at_least((double)many, (double)check_count(40000) / 50, "some are of that size");
+}
+
 int main(void)
 {
     test_oracle();
     test_known_spheres();
     test_hard_spheres();
+    test_near_spheres();
     test_turned_spheres();
     test_known_polygons();
     test_hard_cases();
     test_scales();
     test_random_triangles();
+    test_small_triangles();
     return check_report("22_irradiance");
 }

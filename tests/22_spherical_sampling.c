@@ -230,6 +230,34 @@ static void test_rectangle_shares(void)
     }
 }
 
+/* Which map: that of two halves below a solid angle of 2^20 epsilon, the other one above. And a
+ * length whose square loses digits is no square root. */
+static void test_which_map(void)
+{
+    size_t wrong = 0, halves = 0, n = 2000;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(11, 0, i);
+        real size = sqrt((real)0x1p20 * real_epsilon * pow((real)4, random_between(&s, -2, 1)));
+        rectangle r = {{random_between(&s, -1, 1), random_between(&s, -1, 1), 1}, {0, size, 0},
+                       {size, 0, 0}};
+        spherical_rectangle k = spherical_rectangle_of(r, seen_from);
+        real u = random_next(&s), v = random_next(&s);
+        bool small = (double)k.omega < 0x1p20 * eps;
+        vec3 q = spherical_rectangle_sample(&k, u, v);
+        vec3 due = small ? spherical_rectangle_sample_halves(&k, u, v)
+                         : spherical_rectangle_sample_urena(&k, u, v);
+        halves += small, wrong += q.x != due.x || q.y != due.y;
+    }
+    check_equal(wrong, 0, "the other map");
+    check(halves > n / 10 && halves < n - n / 10, "both are asked: %zu of %zu", halves, n);
+    double worst = 0;
+    for (int e = real_is_float ? -120 : -1000; e < 0; e++) {
+        real one = ldexp((real)1, e);
+        worst = check_worse(worst, fabs((double)(urena_length(3 * one, 4 * one) / (5 * one)) - 1));
+    }
+    check_at_most(worst, 2 * eps, "a small length keeps its digits");
+}
+
 /* The map of Ureña et al. on a small rectangle: the difference of two sines. */
 static void test_urena_fails(void)
 {
@@ -282,6 +310,7 @@ int main(void)
     test_expectations();
     test_near_edges();
     test_rectangle_shares();
+    test_which_map();
     test_urena_fails();
     test_sphere_cones();
     return check_report("22_spherical_sampling");

@@ -412,6 +412,31 @@ static void test_weights(void)
     check_close(mis_power(huge, huge), 0.5, eps, "and here");
 }
 
+/* Rectangles of any size, small ones and such as overflow: the same bits as from chapter 22, which
+ * prepares for all of them. */
+static void test_short_cut(void)
+{
+    size_t wrong = 0, n = check_count(16000);
+    const int most = real_is_float ? 60 : 500;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(31, i, 0);
+        real root = sqrt((real)0x1p20 * real_epsilon), far = ldexp((real)1, (int)(i % 2 ? 0
+            : random_between(&s, (real)-most, (real)most)));
+        real size = far * (i % 4 < 2 ? root * pow((real)4, random_between(&s, -2, 1))
+                                     : random_between(&s, (real)0.25, 4));
+        rectangle r = {{far * random_between(&s, -1, 1), far * random_between(&s, -1, 1), far},
+                       {0, size, 0}, {size, 0, 0}};
+        vec3 p = {0, 0, 0}, x = p;
+        point2 u = {random_next(&s), random_next(&s)};
+        real omega = 0;
+        bool is = emitter_rectangle_sample(r, p, u, &x, &omega);
+        spherical_rectangle k = spherical_rectangle_of(r, p);
+        vec3 due = rectangle_at(r, spherical_rectangle_sample(&k, u.u, u.v));
+        wrong += !is || x.x != due.x || x.y != due.y || x.z != due.z || omega != k.omega;
+    }
+    check_equal(wrong, 0, "the short cut finds another point, of %zu", n);
+}
+
 int main(void)
 {
     test_scenes();
@@ -422,5 +447,6 @@ int main(void)
     test_leaving();
     test_fan();
     test_weights();
+    test_short_cut();
     return check_report("24_lights");
 }
