@@ -52,7 +52,7 @@ int main(int argc, char **argv)
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     bvh_options how = build_options(strategy, leaf);
     failure f;
-    trial_scene s = {.shapes = NULL};
+    trial_scene s = {.due = NULL};
     if (o.csv && (path || o.out)) die(2, "--csv: no table with --mesh, --out");
     if (pixel && (o.out || o.csv)) die(2, "--pixel: not with --out, --csv");
     if (path && !obj_read(path, &s.m, &f)) fail(f);
