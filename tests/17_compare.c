@@ -1,5 +1,6 @@
 /* The bench itself: all structures give the same hits on all scenes; a structure that is broken on
  * purpose is found out and explained; costs add up; and the program, seen from outside. */
+#include "../chapters/17_compare/lab/growth.h"
 #include "../chapters/17_compare/lab/modes.h"
 #include "../chapters/17_compare/lab/orders.h"
 #include "../chapters/17_compare/lab/settings.h"
@@ -649,6 +650,21 @@ static void test_winners(void)
     check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
 }
 
+static void test_growth(void)
+{
+    double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
+    growth_result g = {.m = {.rows = 5}};
+    for (int i = 0; i < 5; i++) {
+        summary_row *r = &g.m.row[i];
+        r->shapes = (size_t)1 << 2 * i, r->ray[0] = exp2(i), r->ray[1] = i < 3 ? 1 : -1;
+        g.steps[i][0] = 6 * i;
+    }
+    check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
+    check_close(bench_slope(x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
+    check_close(bench_slope(x, steps, 5), 3, 1e-14, "three more steps a doubling");
+    check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
+}
+
 /* From outside. -------------------------------------------------------------------------------- */
 
 static void test_misuse(void)
@@ -951,6 +967,7 @@ int main(void)
     test_wrong_answers();
     test_costs();
     test_cheapest();
+    test_growth();
     test_orders();
     test_example();
     test_knobs();

@@ -3,13 +3,15 @@
  *   compare_run(&settings, &own)
  *
  * Without --full: the pictures, and one table of four small scenes, diffuse rays. With it: a table
- * a scene, all of them in four tables, chart and plots. --scene, --mesh: the tables of those.
+ * a scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables
+ * of those.
  */
 #ifndef COMPARE_LAB_RUN_H
 #define COMPARE_LAB_RUN_H
 
 #include "chart.h"
 #include "drawing.h"
+#include "growth.h"
 #include "orders.h"
 #include "pictures.h"
 #include "regimes.h"
@@ -128,6 +130,8 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     if (r->html) chart_write(&r->summary, html_file(r->html));
     if (!book || !o->full) return;
     torture_run(c, NULL, NULL);
+    html_heading(r->html, "Growth");
+    end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, r->html));
     output_chart(o, &r->summary, "17_compare_time.svg");
     end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r->html));
     orders_run(o);
