@@ -42,8 +42,7 @@ static inline image panels_new(const options *o, panels_shape g, pixels_colour *
         int x = k % g.columns * (w + g.gap), y = k / g.columns * (h + g.gap);
         *whole = pixels_draw(&one, g.side, o->threads, "panels", colour, p[k].context);
         image_place(&sheet, x, y, &one);
-        if (g.tags && w >= 200 && h >= 100)
-            label_tag(&sheet, x + 10, y + 10, 12, p[k].name);
+        if (g.tags && w >= 200 && h >= 100) label_tag(&sheet, x + 10, y + 10, 12, p[k].name);
         title[k] = p[k].name;
     }
     if (!g.tags && *whole) label_titles(&sheet, g.columns, g.rows, g.gap, title);
