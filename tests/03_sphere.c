@@ -26,6 +26,14 @@ static int3 random_int3(random_stream *s, int64_t most)
     return (int3){x, y, z};
 }
 
+/* How far o + t d is off the surface, over R. */
+static double sphere_residual(sphere ball, ray r, real t)
+{
+    wide3 f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
+    wide3 p = wide3_madd(f, wide3_of(r.d), wide_of((double)t));
+    return fabs(wide_value(wide_sub(wide3_length(p), wide_of((double)ball.r)))) / (double)ball.r;
+}
+
 static real random_signed(random_stream *s) { return 2 * random_next(s) - 1; }
 /* An integer point p at an integer distance from the origin (a Pythagorean quadruple; Euler) of at
  * most 4 most^2, and an integer d at a right angle to it, of at most 24 most^2 a coordinate. */

@@ -1,4 +1,16 @@
-/* 25_radiosity.h: a closed box whose walls differ, as a linear system (辐射度方法).
+/* 25_radiosity.h: two closed rooms as linear systems (辐射度方法): of two unknowns, and of many.
+ *
+ *    .-------.       furnace_pair(&s, r, E, rho)      two materials: a ball of radius r < 1 in the
+ *   /   .-.   \                                       middle of a sphere of radius 1
+ *  |   ( 1 )   |     transport t = furnace_transport(r, E, rho, channel);    (25.11) of one
+ *   \   '-'  2/                                       channel; transport_free
+ *    '-------'
+ *
+ * By symmetry each of the two has one radiance all over. The ball (0) sees the sphere alone; of
+ * what leaves the sphere (1), (r/1)^2 goes to the ball:
+ *
+ *   K = | 0            rho_0       |                                                       (25.11)
+ *       | rho_1 r^2    rho_1 (1 - r^2) |
  *
  *     .________.       the cube [-1,1]^3, wall k = 0..5 at x = -1, x = +1, y = -1, ... +1, matte,
  *    /|_|_|_|_/|       E[k] and rho[k] each; every wall is cut into m x m squares, on each of
@@ -19,8 +31,28 @@
 
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/25_bounces/lab/furnace.h"
+#include "../chapters/25_bounces/transport.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2])
+{
+    lit_begin(s);
+    for (int k = 0; k < 2; k++) {
+        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(rho[k]), .Le = E[k]});
+        lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, k ? -1 : r}), m);
+    }
+    lit_end(s);
+}
+
+static inline transport furnace_transport(double r, const vec3 E[2], const vec3 rho[2], int channel)
+{
+    transport t = transport_new(2);
+    double a = (double)vaxis(rho[0], channel), b = (double)vaxis(rho[1], channel);
+    for (int k = 0; k < 2; k++) t.E[k] = (double)vaxis(E[k], channel);
+    t.K[1] = a, t.K[2] = b * r * r, t.K[3] = b * (1 - r * r);
+    return t;
+}
 
 static inline rectangle radiosity_square(int m, int i)
 {

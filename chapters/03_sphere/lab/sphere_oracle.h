@@ -5,7 +5,6 @@
  *   sphere_clearance(ball, r)                    how far the line passes from the centre, over R,
  *                                                minus 1: a hit is due where it is <= 0
  *   sphere_pass(ball, r)                         how far the line passes from the centre
- *   sphere_residual(ball, r, t)                  how far o + t d is off the surface, over R
  *
  * Computed in wide numbers from the textbook's b^2 - 4ac (3.3), which sphere.h does not use: off by
  * some 1e-31 (l/R)^2 at the distance l, which is 1e-19 for l = 1e6 R.
@@ -59,13 +58,6 @@ static inline double sphere_pass(sphere ball, ray r)
     ball.r = 0;  /* then -D / a is the distance, squared */
     sphere_quadratic q = sphere_exactly(ball, r);
     return wide_value(wide_sqrt(wide_div(wide_neg(q.D), q.a)));
-}
-
-static inline double sphere_residual(sphere ball, ray r, real t)
-{
-    wide3 f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide3 p = wide3_madd(f, wide3_of(r.d), wide_of((double)t));
-    return fabs(wide_value(wide_sub(wide3_length(p), wide_of((double)ball.r)))) / (double)ball.r;
 }
 
 #endif

@@ -104,31 +104,28 @@ static inline void measure_near(const options *o)
 
 static inline void measure_called(const options *o)
 {
-    table t = table_new("Rays of one sample a point: what is called for, and all",
-                        "scene|way|points|shadow|of|directions|of|same bits");
-    for (int which = 0; which < stages; which++) {
-        direct_survey s;
-        survey_open(&s, o, (direct_stage_name)which, survey_points, 1);
-        for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
-            direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
-            bool same = true;
-            for (size_t i = 0; i < s.points; i++) {
-                vec3 L[2];
-                for (int all = 0; all < 2; all++) {
-                    direct d = {&s.g.s, (direct_way)way, &s.all, &work[all], all};
-                    sampler q = sampler_start(SEQUENCE_RANDOM, o->seed, i, 0, 1);
-                    L[all] = direct_light(&d, &s.point[i].h, s.point[i].wo, &q);
-                }
-                same = same && memcmp(&L[0], &L[1], sizeof L[0]) == 0;
+    table t = table_new("Rays of one sample a point in the box: what is called for, and all",
+                        "way|points|shadow|of|directions|of|same bits");
+    direct_survey s;
+    survey_open(&s, o, STAGE_BOX, survey_points, 1);
+    for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
+        direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
+        bool same = true;
+        for (size_t i = 0; i < s.points; i++) {
+            vec3 L[2];
+            for (int all = 0; all < 2; all++) {
+                direct d = {&s.g.s, (direct_way)way, &s.all, &work[all], all};
+                sampler q = sampler_start(SEQUENCE_RANDOM, o->seed, i, 0, 1);
+                L[all] = direct_light(&d, &s.point[i].h, s.point[i].wo, &q);
             }
-            table_text(&t, "%s", stage_names[which]), table_text(&t, "%s", direct_name[way]);
-            table_count(&t, s.points);
-            table_count(&t, work[0].shadow), table_count(&t, work[1].shadow);
-            table_count(&t, work[0].direction), table_count(&t, work[1].direction);
-            table_text(&t, same ? "yes" : "NO");
+            same = same && memcmp(&L[0], &L[1], sizeof L[0]) == 0;
         }
-        survey_close(&s);
+        table_text(&t, "%s", direct_name[way]), table_count(&t, s.points);
+        table_count(&t, work[0].shadow), table_count(&t, work[1].shadow);
+        table_count(&t, work[0].direction), table_count(&t, work[1].direction);
+        table_text(&t, same ? "yes" : "NO");
     }
+    survey_close(&s);
     output_extra_table(o, &t);
 }
 

@@ -15,9 +15,8 @@
 
 #include "../scenes/lit_cornell.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, stages } direct_stage_name;
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP } direct_stage_name;
 typedef struct { lit_scene s; camera c; real aspect, exposure; } direct_stage;
-static const char *const stage_names[stages] = {"box", "plates", "strip"};
 
 /* ---------------------------------------------------------------------------------------------- */
 

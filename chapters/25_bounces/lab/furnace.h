@@ -1,19 +1,10 @@
 /* furnace.h: closed rooms in which every term of the series is known exactly.
  *
- *    .-------.       furnace_sphere(&s, E, rho)       a sphere of radius 1, seen from inside
- *   /   .-.   \      furnace_box(&s, E, rho)          the cube [-1,1]^3, twelve triangles
- *  |   ( 1 )   |     furnace_pair(&s, r, E, rho)      two materials: a ball of radius r < 1 in the
- *   \   '-'  2/                                       middle of a sphere of radius 1
- *    '-------'
+ *   furnace_sphere(&s, E, rho)       a sphere of radius 1, seen from inside
+ *   furnace_box(&s, E, rho)          the cube [-1,1]^3, twelve triangles
  *
- * Sphere and box: all walls emit E and reflect rho, matte: (25.5), (25.6), channel by channel.
- * Pair: by symmetry each of the two has one radiance all over. The ball (0) sees the sphere alone;
- * of what leaves the sphere (1), (r/1)^2 goes to the ball:
+ * All walls emit E and reflect rho, matte: (25.5), (25.6), channel by channel.
  *
- *   K = | 0            rho_0       |                                                       (25.11)
- *       | rho_1 r^2    rho_1 (1 - r^2) |
- *
- *   transport t = furnace_transport(r, E, rho, channel);    (25.11) of one channel; transport_free
  *   furnace_variance(N, rho, n)      variance of E = 1 in such a room, N uniform directions a hit
  *
  * Where it comes from: X_n is the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the
@@ -31,7 +22,6 @@
 
 #include "../../24_direct_light/lit_scene.h"
 #include "../series.h"
-#include "../transport.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -60,25 +50,6 @@ static inline void furnace_box(lit_scene *s, vec3 E, vec3 rho)
     uint16_t wall = lit_add_material(s, (lit_material){.f = brdf_lambert(rho), .Le = E});
     for (int k = 0; k < 6; k++) lit_add_rectangle(s, furnace_wall(k), wall);
     lit_end(s);
-}
-
-static inline void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2])
-{
-    lit_begin(s);
-    for (int k = 0; k < 2; k++) {
-        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(rho[k]), .Le = E[k]});
-        lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, k ? -1 : r}), m);
-    }
-    lit_end(s);
-}
-
-static inline transport furnace_transport(double r, const vec3 E[2], const vec3 rho[2], int channel)
-{
-    transport t = transport_new(2);
-    double a = (double)vaxis(rho[0], channel), b = (double)vaxis(rho[1], channel);
-    for (int k = 0; k < 2; k++) t.E[k] = (double)vaxis(E[k], channel);
-    t.K[1] = a, t.K[2] = b * r * r, t.K[3] = b * (1 - r * r);
-    return t;
 }
 
 static inline double furnace_variance(int N, double rho, int n)
