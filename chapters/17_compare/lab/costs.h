@@ -145,8 +145,8 @@ static inline search_work cost_work(const compare_entry *e, size_t *rays)
 }
 
 /* The lines build + k * ns (17.8): which is lower than that of `now`, soonest after *from rays, and
- * where? NULL: none. Three percent faster is no faster, ten percent sooner no sooner: the earlier in
- * the list is named. */
+ * where? NULL: none. Three percent faster is no faster, ten percent sooner no sooner: the earlier
+ * in the list is named. */
 static inline const compare_entry *cost_next(const comparison *s, const compare_entry *now,
                                              double *from)
 {
