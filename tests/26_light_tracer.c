@@ -58,6 +58,13 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
         *mean = estimate_add(*mean, sum);
         image_free(&im);
     }
+    image one, three;
+    light_counts again = {0};
+    light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 1, &one, &again);
+    light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 3, &three, &again);
+    check(memcmp(one.rgb, three.rgb, 3 * side * side * sizeof *one.rgb) == 0,
+          "the same bytes for any number of threads");
+    image_free(&one), image_free(&three);
     check_equal(work.paths, sets * n, "paths");
     check(work.shadow <= work.rays + work.paths, "one ray to the eye a hit, and one of the lamp");
     light_tracer_free(&t);

@@ -12,6 +12,8 @@
  *   bool     mesh_bounds(&m, &lo, &hi)      box around all triangles; false if there is none
  *   void     mesh_smooth_normals(&m)        one normal a vertex, triangles weighted by angle
  *   const char *mesh_material(&m, i)        the name that usemtl gave triangle i, or ""
+ *   size_t   mesh_run_of(&m, i)             the last run that begins at or before triangle i,
+ *                                           counted from 1; 0: none. By halving
  *   void     mesh_free(&m)                  a zeroed mesh may be freed, and so may a freed one
  *
  * Who fills a mesh (obj.h, teapot.h) allocates its arrays; mesh_free releases them.
@@ -84,8 +86,7 @@ static inline bool mesh_bounds(const mesh *m, vec3 *lo, vec3 *hi)
     return m->triangles > 0;
 }
 
-/* The last run that begins at or before triangle i, by halving. */
-static inline const char *mesh_material(const mesh *m, size_t i)
+static inline size_t mesh_run_of(const mesh *m, size_t i)
 {
     size_t lo = 0, hi = m->runs;
     while (lo < hi) {
@@ -93,7 +94,13 @@ static inline const char *mesh_material(const mesh *m, size_t i)
         if (m->run[middle].first <= i) lo = middle + 1;
         else hi = middle;
     }
-    return lo ? m->names + m->run[lo - 1].name : "";
+    return lo;
+}
+
+static inline const char *mesh_material(const mesh *m, size_t i)
+{
+    size_t k = mesh_run_of(m, i);
+    return k ? m->names + m->run[k - 1].name : "";
 }
 
 /* The normal of corner k [0,3) of triangle i, as stored; zero if it has none. */

@@ -1,7 +1,8 @@
 /* long_run.h: a picture that may take long: where it begins, its goal, its state after every pass.
  *
  *   long_run l = {.save = "a.state", .resume = NULL, .error = 0, .seconds = 60};
- *   snprintf(l.settings, ...);                    all that a sample depends on (state.h)
+ *   snprintf(l.settings, ...);                    all that a sample depends on (state.h); of a file
+ *                                                 long_run_hash(state_hash_start, path)
  *   film f = long_run_begin(&l, &o, w, h);        new, or as l.resume has it
  *   passes_goal g = long_run_goal(&l, samples);   samples: 0: no end but by error, time, Ctrl-C
  *   ... passes_until: saves after each pass, and shows the picture if o.preview ...
@@ -31,6 +32,17 @@ typedef struct {
 static inline bool long_run_given(const long_run *l)
 {
     return l->save || l->resume || l->error > 0 || l->seconds > 0;
+}
+
+/* h, and all bytes of a file. */
+static inline uint64_t long_run_hash(uint64_t h, const char *path)
+{
+    size_t n;
+    failure f;
+    char *text = file_read(path, &n, &f);
+    if (!text) fail(f);
+    h = state_hash(h, text, n), free(text);
+    return h;
 }
 
 static inline void long_run_save(const long_run *l, const film *f)

@@ -166,17 +166,11 @@ static inline const char *studio_material_name(const studio *s, uint32_t m)
 
 static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s->shapes}; }
 
-/* The last run that begins at or before the triangle, as mesh_material finds it. */
 static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint32_t k)
 {
-    const mesh *m = &s->mesh[s->placed[place].mesh];
-    size_t lo = 0, hi = m->runs;
-    while (lo < hi) {
-        size_t middle = lo + (hi - lo) / 2;
-        if (m->run[middle].first <= k) lo = middle + 1;
-        else hi = middle;
-    }
-    uint32_t of = lo ? s->paint[s->placed[place].mesh].run_material[lo - 1] : name_none;
+    uint32_t m = s->placed[place].mesh;
+    size_t run = mesh_run_of(&s->mesh[m], k);
+    uint32_t of = run ? s->paint[m].run_material[run - 1] : name_none;
     return of == name_none ? s->placing[place].material : of;
 }
 

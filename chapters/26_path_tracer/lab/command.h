@@ -54,17 +54,9 @@ static inline bool command_given(const command *c, const options *o)
         || c->clamp > 0 || o->samples > 0;
 }
 
-/* Of a file's bytes; 0: no file. */
-static inline unsigned long long command_file_hash(const char *path)
+static inline unsigned long long command_file(const char *path)
 {
-    size_t n;
-    failure f;
-    if (!path) return 0;
-    char *text = file_read(path, &n, &f);
-    if (!text) fail(f);
-    uint64_t h = state_hash(state_hash_start, text, n);
-    free(text);
-    return h;
+    return path ? long_run_hash(state_hash_start, path) : 0;
 }
 
 static inline const char *command_of(const command *c)
@@ -76,8 +68,8 @@ static inline const char *command_of(const command *c)
 static inline void command_settings(command *c, const options *o)
 {
     snprintf(c->run.settings, state_settings, "scene %.100s\nfile %016llx\nenvironment %016llx\n"
-             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file_hash(c->obj),
-             command_file_hash(c->sky), c->clamp, real_is_float ? "float" : "double",
+             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file(c->obj),
+             command_file(c->sky), c->clamp, real_is_float ? "float" : "double",
              (unsigned long long)o->seed);
 }
 

@@ -57,14 +57,10 @@ static inline void request_settings(request *q, const options *o, const studio *
     for (uint32_t k = 1; k < s->files.n && long_run_given(&q->run); k++) {
         const char *path = name_text(&s->files, k);
         struct stat what;
-        size_t n;
-        failure f;
         if (stat(path, &what) != 0) continue;
         if (!S_ISREG(what.st_mode))
             die(2, "%.200s: --save and the like want a file, no pipe", path);
-        char *text = file_read(path, &n, &f);
-        if (!text) fail(f);
-        h = state_hash(h, text, n), free(text);
+        h = long_run_hash(h, path);
     }
     for (size_t k = 0; k < sizeof word / sizeof *word; k++)
         if (word[k]) h = state_hash(h, word[k], strlen(word[k])), h = state_hash(h, &k, 1);
