@@ -42,10 +42,10 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* r by its address: what is copied right after it was written waits (ray8.h). */
+/* Where r lies in memory and was not written just now. */
 __attribute__((always_inline))
-static inline bool bvh8_ask(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
-                            search_work *work)
+static inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
+                               search_work *work)
 {
 #if EIGHT_X86
     if (w->dialect == EIGHT_AVX512) return bvh8_search_2(w, r, &skip, out, work);
@@ -54,36 +54,44 @@ static inline bool bvh8_ask(const bvh8 *w, const ray *r, bvh8_skip skip, hit *ou
     return bvh8_search_0(w, r, &skip, out, work);
 }
 
+/* Field by field: ray8.h says why. */
+__attribute__((always_inline))
+static inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
+{
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+    return bvh8_ask_at(w, &own, skip, out, work);
+}
+
 __attribute__((always_inline))
 static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
 {
-    return bvh8_ask(w, &r, skip, out, NULL);
+    return bvh8_ask(w, r, skip, out, NULL);
 }
 
 __attribute__((always_inline))
 static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
 {
-    return bvh8_ask(w, &r, skip, NULL, NULL);
+    return bvh8_ask(w, r, skip, NULL, NULL);
 }
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
 {
-    return bvh8_ask(w, &r, bvh8_skip_none, out, NULL);
+    return bvh8_ask(w, r, bvh8_skip_none, out, NULL);
 }
 
 static inline bool bvh8_occluded(const bvh8 *w, ray r)
 {
-    return bvh8_ask(w, &r, bvh8_skip_none, NULL, NULL);
+    return bvh8_ask(w, r, bvh8_skip_none, NULL, NULL);
 }
 
 static inline bool bvh8_hit_counted(const bvh8 *w, ray r, hit *out, search_work *work)
 {
-    return bvh8_ask(w, &r, bvh8_skip_none, out, work);
+    return bvh8_ask(w, r, bvh8_skip_none, out, work);
 }
 
 static inline bool bvh8_occluded_counted(const bvh8 *w, ray r, search_work *work)
 {
-    return bvh8_ask(w, &r, bvh8_skip_none, NULL, work);
+    return bvh8_ask(w, r, bvh8_skip_none, NULL, work);
 }
 
 static inline structure_stats bvh8_stats(const bvh8 *w)

@@ -183,7 +183,7 @@ static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k,
 {
     const world_part *p = &t->w->part[k];
     if (!g->any_hit || p->opaque)
-        return bvh8_ask(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
+        return bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
     return trace_part_asking(t, g, k, *r, payload, end, h);
 }
 

@@ -8,7 +8,7 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
     int top = 0;
     bvh8_ray q;
     hit best = hit_none;
-    if (w->nodes == 0 || !bvh8_ray_of(w, r, &bvh8_skip_none, &q)) return false;
+    if (w->nodes == 0 || !w->block || !bvh8_ray_of(w, r, &bvh8_skip_none, &q)) return false;
     for (uint32_t at = 0;;) {
         unsigned mask = 0;
         if (at & bvh8_leaf) {
