@@ -341,7 +341,7 @@ static void test_many_faces(void)
         set q;
         set_up(&q, text);
         ray r = {.o = {0, 0, 99}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
-        check_equal(seen_along(&q, r).x, list[i].light, "through %d balls", list[i].balls);
+        check_equal((double)seen_along(&q, r).x, list[i].light, "through %d balls", list[i].balls);
         tear_down(&q);
     }
 }
