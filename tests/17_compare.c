@@ -437,7 +437,8 @@ static void test_lost_way(patient *p, bool any)
     check(strstr(text, "found on the interval [t, t] alone"), "found from near by: %s", text);
     const char *at = strstr(text, "begins at t = ");
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
-    check_close(begins, (double)p->due.t - 3, 1e-5, "%s: lost from more than 3 away: %s",
+    check_close(begins, (double)p->due.t - 3, 16 * (double)real_epsilon,
+                "%s: lost from more than 3 away: %s",
                 right.name, text);
     check(strstr(text, " itself: x "), "%s: where the shape is: %s", right.name, text);
     shape_place at_hit = place_of(&right, p->e.s, p->due.shape, ray_at(p->r, p->due.t));
@@ -538,6 +539,7 @@ static void test_places(const char *name)
         }
         check_at_least(hits, 50, "%s: enough hits", name);
         check_equal(numbered, hits, "%s %s: the number is that of the leaf", name, e->c->name);
+        /* delta is the promise (10.1); what is met is a thousandth of it */
         check_at_most(off, 1, "%s %s: a leaf holds each hit, within delta", name, e->c->name);
     }
     rays_free(&eye), compare_end(&s), world_free(&w);
@@ -608,9 +610,9 @@ static void test_costs(void)
     *a = (compare_entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
     *b = (compare_entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
                  .seconds = {1e-5, 3e-5}};
-    check_close(cost_ns(a, KIND_SHADOW), 3000, 1e-6, "6e-5 s for 20 rays");
-    check_close(cost_mean(&s, a), 2e-6, 1e-15, "1000 and 3000 ns, as many of each");
-    check_close(cost_mean(&s, b), 2e-7, 1e-15, "100 and 300");
+    check_close(cost_ns(a, KIND_SHADOW), 3000, 1e-11, "6e-5 s for 20 rays");
+    check_close(cost_mean(&s, a), 2e-6, 1e-20, "1000 and 3000 ns, as many of each");
+    check_close(cost_mean(&s, b), 2e-7, 1e-21, "100 and 300");
     check_close(b->build / (cost_mean(&s, a) - cost_mean(&s, b)), 277778, 1, "pays after");
     check_equal(cost_ns(a, KIND_MIRROR), 0, "no rays, no time");
 }
@@ -660,8 +662,8 @@ static void test_growth(void)
         g.steps[i][0] = 6 * i;
     }
     check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
-    check_close(bench_slope(x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
-    check_close(bench_slope(x, steps, 5), 3, 1e-14, "three more steps a doubling");
+    check_close(bench_slope(x, y, 5), 0.5, 1e-15, "time ~ n^0.5");
+    check_close(bench_slope(x, steps, 5), 3, 1e-15, "three more steps a doubling");
     check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
 }
 
@@ -940,6 +942,7 @@ static void test_orders(void)
     }
     check_equal(wrong, 0, "pixels by rays unlike brute force's");
     check_at_least(covered, nx * ny / 4, "the teapot fills the picture");
+    /* None is with one compiler; at an edge, rounding may have it either way. */
     check_at_most((double)other, 2 * nx * ny / 100, "pixels drawn otherwise, in two pictures");
     check(t.s.asked > t.s.covered && t.s.asked < 3 * nx * ny, "asked in one picture: %zu",
           t.s.asked);

@@ -139,6 +139,9 @@ static void test_trace(void)
     seen nothing = {.ignore = 3};
     ray bad = ray_from((vec3){0, 0, 0}, vec(NAN, 0, 1));
     check(!trace(&t, RAY_CAMERA, bad, &nothing) && nothing.missed, "a NaN is a miss");
+    nothing.missed = false;
+    check(!trace(&t, RAY_REFLECTION, bad, &nothing) && nothing.missed && nothing.asked == 0,
+          "and nobody is asked about it");
     check(trace(&t, RAY_SIGHT, ray_between((vec3){0, 0, 9}, (vec3){0, 0, 0}), NULL),
           "programs may all be NULL");
     trace_world empty = {NULL, 0};
@@ -151,6 +154,9 @@ static void test_trace(void)
     t.w = &of_none, nothing.missed = false;
     check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
               && nothing.missed, "a part without a tree is missed");
+    nothing.missed = false;
+    check(!trace(&t, RAY_REFLECTION, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
+              && nothing.missed && nothing.asked == 0, "and has nothing to ask about");
     for (int k = 0; k < 3; k++) world_part_free(&part[k]);
     world_part_free(&part[0]);  /* twice is allowed */
     mesh_free(&pot);

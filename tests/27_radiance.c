@@ -327,6 +327,25 @@ static void test_ends(void)
     tear_down(&q);
 }
 
+/* A ray goes through 128 faces with one medium on both sides, and is given up at the next: small
+ * balls in a large one of the same glass. */
+static void test_many_faces(void)
+{
+    static const struct { int balls; double light; } list[] = {{0, 1}, {64, 1}, {65, 0}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        char text[8192];
+        int n = snprintf(text, sizeof text, "camera from 0 0 99 at 0 0 0\nbackground 1\n"
+                                            "material a\nKd 0\nillum 6\nsphere 0 0 0 96\n");
+        for (int k = 0; k < list[i].balls; k++)
+            n += snprintf(text + n, sizeof text - (size_t)n, "sphere 0 0 %d 0.25\n", k);
+        set q;
+        set_up(&q, text);
+        ray r = {.o = {0, 0, 99}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
+        check_equal((double)seen_along(&q, r).x, list[i].light, "through %d balls", list[i].balls);
+        tear_down(&q);
+    }
+}
+
 /* Glass whose refraction is left out keeps the share that it reflects: Schlick's, F0 = 0.04. */
 static void test_left_out(void)
 {
@@ -483,6 +502,7 @@ int main(void)
     test_blocks();
     test_contacts();
     test_ends();
+    test_many_faces();
     test_left_out();
     test_light();
     test_ways();
