@@ -382,7 +382,7 @@ static void test_spent(void)
         for (int k = 0; k < 3; k++) {
             im[k] = image_new(96, 54);
             gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
-                              .c = gallery_camera(g->T.x, (real)96 / 54)};
+                              .c = gallery_camera(g->T.x, (real)96 / 54, false)};
             v.how.spend_all = k == 1;
             check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
             spent[k] = v.counts;
