@@ -273,6 +273,35 @@ static void test_shadow(void)
     shadow_map_free(&s);
 }
 
+/* Pixels that show the mirror: what its camera drew against the ray reflected at its plane. */
+static orders_difference orders_mirror_compare(int nx, int ny)
+{
+    mesh m = orders_scene(4, true), seen = m;
+    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)nx / (real)ny);
+    raster s = raster_new(nx, ny);
+    orders_difference d = {0, 0, 0, 0};
+    raster_mesh(&s, &m, c, raster_default);
+    raster t = orders_reflected(&m, c, &s);
+    camera c2 = mirror_camera(c, orders_mirror);
+    seen.triangles -= 2;
+    for (int k = 0; k < nx * ny; k++) {
+        if (s.h[k].shape < seen.triangles || s.h[k].shape == no_shape) continue;
+        ray r = camera_ray(c, (real)(k % nx) + (real)0.5, (real)(k / nx) + (real)0.5, nx, ny);
+        hit at, due = hit_none;
+        if (!plane_hit(orders_mirror, r, &at)) continue;
+        ray back = ray_from(ray_at(r, at.t), mirror_direction(r.d, orders_mirror));
+        (void)mesh_hit(&seen, back, &due);
+        d.judged++, d.other += due.shape != t.h[k].shape;
+        if (due.shape == t.h[k].shape) {  /* t of the image counts the way to the mirror, too */
+            double off = due.shape == no_shape ? 0 : fabs((double)((due.t + at.t) / t.h[k].t) - 1);
+            d.depth = off > d.depth ? off : d.depth;
+        } else d.unexplained += !orders_explained(t.h[k], &seen, c2, k % nx, k / nx,
+                                                  (real)ldexp(1, -8), nx, ny);
+    }
+    raster_free(&s), raster_free(&t), mesh_free(&m);
+    return d;
+}
+
 /* What the image of the camera sees of x, the camera sees of the image of x. */
 static void test_mirror(void)
 {

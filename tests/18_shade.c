@@ -144,19 +144,18 @@ static void test_trace(void)
           "and nobody is asked about it");
     check(trace(&t, RAY_SIGHT, ray_between((vec3){0, 0, 9}, (vec3){0, 0, 0}), NULL),
           "programs may all be NULL");
-    trace_world empty = {NULL, 0};
-    t.w = &empty, nothing.missed = false;
-    check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
-              && nothing.missed, "an empty world is missed");
     world_part none = part[0];
     none.tree = (bvh8){.nodes = 0};
-    trace_world of_none = {&none, 1};
-    t.w = &of_none, nothing.missed = false;
-    check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
-              && nothing.missed, "a part without a tree is missed");
-    nothing.missed = false;
-    check(!trace(&t, RAY_REFLECTION, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
-              && nothing.missed && nothing.asked == 0, "and has nothing to ask about");
+    const trace_world blank[2] = {{NULL, 0}, {&none, 1}};  /* nothing; a part without a tree */
+    for (int k = 0; k < 2; k++) {
+        ray on = ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1});
+        t.w = &blank[k], nothing.missed = false;
+        check(!trace(&t, RAY_CAMERA, on, &nothing) && nothing.missed,
+              "world %d, of nothing, is missed", k);
+        nothing.missed = false;
+        check(!trace(&t, RAY_REFLECTION, on, &nothing) && nothing.missed && nothing.asked == 0,
+              "and has nothing to ask about");
+    }
     for (int k = 0; k < 3; k++) world_part_free(&part[k]);
     world_part_free(&part[0]);  /* twice is allowed */
     mesh_free(&pot);
@@ -390,7 +389,7 @@ static void test_spent(void)
         for (int k = 0; k < 3; k++) {
             im[k] = image_new(96, 54);
             gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
-                              .c = gallery_camera(g->T.x, (real)96 / 54)};
+                              .c = gallery_camera(g->T.x, (real)96 / 54, false)};
             v.how.spend_all = k == 1;
             check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
             spent[k] = v.counts;

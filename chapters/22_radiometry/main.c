@@ -8,7 +8,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry chapt
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 900, .height = 900, .seed = 1};
+    options defaults = {.width = 900, .height = 600, .seed = 1};
     options o = options_read(argc, argv, "22_radiometry",
                              "Light as something measured: irradiance of three lights.", defaults,
                              NULL);

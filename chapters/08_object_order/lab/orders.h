@@ -111,14 +111,10 @@ static inline orders_difference orders_compare(const raster *a, const raster *b,
     for (int k = 0; k < a->nx * a->ny; k++) {
         hit p = a->h[k], q = b->h[k];
         double off = fabs((double)p.t / (double)q.t - 1);
-        d.judged++;
-        if (p.shape == q.shape) {
-            if (p.shape == no_shape) continue;
-            d.depth = off > d.depth ? off : d.depth;
-            continue;
-        }
-        d.other++;
-        d.unexplained += !orders_explained(p, m, c, k % a->nx, k / a->nx, step, a->nx, a->ny);
+        d.judged++, d.other += p.shape != q.shape;
+        if (p.shape != q.shape)
+            d.unexplained += !orders_explained(p, m, c, k % a->nx, k / a->nx, step, a->nx, a->ny);
+        else if (p.shape != no_shape) d.depth = off > d.depth ? off : d.depth;
     }
     return d;
 }

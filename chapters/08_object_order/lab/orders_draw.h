@@ -18,19 +18,14 @@ enum { orders_gap = 8 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline size_t orders_pot(const mesh *m, bool wall)
-{
-    return m->triangles - orders_floor - (wall ? 2 : 0);
-}
-
 /* The hits of s as a picture at (x0, y0) of im; where `wrong` [may be NULL] is set, orange. */
 static inline void orders_panel(image *im, int x0, int y0, const raster *s, const mesh *m,
-                                camera c, bool wall, const bool *dark, const bool *wrong)
+                                camera c, const bool *dark, const bool *wrong)
 {
     for (int k = 0; k < s->nx * s->ny; k++) {
         int x = k % s->nx, y = k / s->nx;
         vec3 d = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, s->nx, s->ny).d;
-        vec3 seen = orders_colour(m, orders_pot(m, wall), s->h[k], d, !dark || !dark[k]);
+        vec3 seen = orders_colour(m, m->triangles - orders_floor, s->h[k], d, !dark || !dark[k]);
         image_set(im, x0 + x, y0 + y, wrong && wrong[k] ? vec(1, 0.25, 0) : seen);
     }
 }
@@ -54,15 +49,13 @@ static inline void orders_draw(const options *o)
         raster_part(&drawn, &m, k * m.triangles / 3, (k + 1) * m.triangles / 3, c, raster_default);
         for (size_t i = 0; i < (k + 1) * (size_t)(w * h) / 3; i++) part.h[i] = seen.h[i];
         if (small && k < 2) continue;
-        orders_panel(&im, small ? 0 : column, 0, &drawn, &m, c, false, NULL, NULL);
-        if (!small) orders_panel(&im, column, h + orders_gap, &part, &m, c, false, NULL, NULL);
+        orders_panel(&im, small ? 0 : column, 0, &drawn, &m, c, NULL, NULL);
+        if (!small) orders_panel(&im, column, h + orders_gap, &part, &m, c, NULL, NULL);
     }
     if (!small && w >= 200) label_titles(&im, 3, 2, orders_gap, title);
     output_picture(o, &im, "08_object_order.png", true, whole);
     image_free(&im), raster_free(&drawn), raster_free(&seen), raster_free(&part), mesh_free(&m);
 }
-
-/* ---------------------------------------------------------------------------------------------- */
 
 /* first.h in the types of raster.h. */
 static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
@@ -72,10 +65,7 @@ static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
     first_camera f = {c.e, c.u, c.v, c.w, c.left, c.right, c.bottom, c.top, c.d, nx, ny};
     first_raster s = first_raster_new(nx, ny);
     first_raster_mesh(&s, &soup, f);
-    for (int k = 0; k < nx * ny; k++) {
-        out.h[k] = s.h[k];
-        out.h[k].t /= c.d;
-    }
+    for (int k = 0; k < nx * ny; k++) out.h[k] = s.h[k], out.h[k].t /= c.d;
     first_raster_free(&s), first_mesh_free(&soup);
     return out;
 }
@@ -92,12 +82,12 @@ static inline void orders_draw_flat(const options *o)
     raster s = orders_first(&m, c, w, h), t = raster_new(w, h);
     raster_mesh(&t, &m, c, raster_default);
     bool *wrong = allocate((size_t)(w * h), sizeof *wrong);
-    orders_panel(&im, 0, 0, &s, &m, c, false, NULL, NULL);
-    orders_panel(&im, w + orders_gap, 0, &t, &m, c, false, NULL, NULL);
+    orders_panel(&im, 0, 0, &s, &m, c, NULL, NULL);
+    orders_panel(&im, w + orders_gap, 0, &t, &m, c, NULL, NULL);
     for (int k = 0; k < w * h; k++)
         wrong[k] = vlength(vsub(image_get(&im, k % w, k / w),  /* more than other shades */
                                 image_get(&im, w + orders_gap + k % w, k / w))) > (real)0.2;
-    orders_panel(&im, 2 * (w + orders_gap), 0, &t, &m, c, false, NULL, wrong);
+    orders_panel(&im, 2 * (w + orders_gap), 0, &t, &m, c, NULL, wrong);
     label_titles(&im, 3, 1, orders_gap, title);
     output_picture(o, &im, "08_object_order_flat.png", false, true);
     free(wrong), image_free(&im), raster_free(&s), raster_free(&t);
@@ -143,17 +133,14 @@ static inline void orders_draw_shadow(const options *o)
         shadow_map t = shadow_map_new(&m, lamp, map[i].side, raster_default);
         if (i) orders_darken(&s, &m, lamp, &t, map[i].bias, dark);
         for (size_t k = 0; i && k < n; k++) wrong[k] = dark[k] != due[k];
-        orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c, false,
+        orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c,
                      i ? dark : due, wrong);
         shadow_map_free(&t);
     }
     label_titles(&im, 2, 2, orders_gap, title);
     output_picture(o, &im, "08_object_order_shadow.png", false, true);
-    free(dark), free(wrong), free(due), image_free(&im), raster_free(&s);
-    mesh_free(&m);
+    free(dark), free(wrong), free(due), image_free(&im), raster_free(&s), mesh_free(&m);
 }
-
-/* ---------------------------------------------------------------------------------------------- */
 
 /* Pixels that show the mirror take what the mirrored camera sees there. */
 static inline raster orders_reflected(const mesh *m, camera c, const raster *s)
@@ -176,7 +163,7 @@ static inline void orders_draw_mirror(const options *o)
     raster s = raster_new(w, h);
     raster_mesh(&s, &m, c, raster_default);
     raster t = orders_reflected(&m, c, &s);
-    size_t pot = orders_pot(&m, true);
+    size_t pot = m.triangles - orders_floor - 2;
     camera c2 = mirror_camera(c, orders_mirror);
     for (int k = 0; k < w * h; k++) {
         bool glass = s.h[k].shape != no_shape && s.h[k].shape >= pot + orders_floor;
@@ -189,8 +176,6 @@ static inline void orders_draw_mirror(const options *o)
     output_picture(o, &im, "08_object_order_mirror.png", false, true);
     image_free(&im), raster_free(&s), raster_free(&t), mesh_free(&m);
 }
-
-/* ---------------------------------------------------------------------------------------------- */
 
 /* Drawn by raster_mesh itself: a dot a pixel in the colour of the triangle that got it. The window
  * is the picture: one pixel is one unit, y downwards. */
@@ -209,14 +194,13 @@ static inline void orders_draw_edges(const options *o)
     raster_mesh(&s, &m, c, raster_default);
     figure g = figure_begin(o, "08_object_order_edges.svg", 800, 500);
     figure_origin(&g, 40, 430, 45);
-    for (int x = 0; x <= nx; x++)
-        figure_line(&g, x, 0, x, ny, "#cccccc", 1, FIGURE_WHOLE);
+    for (int x = 0; x <= nx; x++) figure_line(&g, x, 0, x, ny, "#cccccc", 1, FIGURE_WHOLE);
     for (int y = 0; y <= ny; y++) figure_line(&g, 0, y, nx, y, "#cccccc", 1, FIGURE_WHOLE);
     for (int k = 0; k < 2; k++) {
         double xy[6];
-        for (int i = 0; i < 6; i++) {
-            const double *p = at[index[3 * k + i / 2]];
-            xy[i] = i % 2 ? ny - p[1] : p[0];
+        for (int i = 0; i < 3; i++) {
+            const double *p = at[index[3 * k + i]];
+            xy[2 * i] = p[0], xy[2 * i + 1] = ny - p[1];
         }
         figure_polygon(&g, 3, xy, colour[k], 0.18, FIGURE_BLACK);
     }
@@ -225,11 +209,9 @@ static inline void orders_draw_edges(const options *o)
         figure_dot(&g, k % nx + 0.5, ny - k / nx - 0.5, owner == no_shape ? 2 : 6,
                    owner == no_shape ? FIGURE_GREY : colour[owner]);
     }
-    static const struct { double x, y; const char *text; } name[] = {
-        {1.2, 1.7, "*a*"}, {12.5, 0.5, "*b*"}, {4.5, 8.5, "*c*"}};
-    for (int k = 0; k < 3; k++)
-        figure_text(&g, name[k].x, ny - name[k].y, k == 1 ? 8 : -18, k == 2 ? -14 : 8, FIGURE_LEFT,
-                    FIGURE_BLACK, name[k].text);
+    figure_text(&g, at[0][0], ny - at[0][1], -18, 8, FIGURE_LEFT, FIGURE_BLACK, "*a*");
+    figure_text(&g, at[1][0], ny - at[1][1], 8, 8, FIGURE_LEFT, FIGURE_BLACK, "*b*");
+    figure_text(&g, at[3][0], ny - at[3][1], -18, -14, FIGURE_LEFT, FIGURE_BLACK, "*c*");
     figure_text(&g, 0, 0, 0, 24, FIGURE_LEFT, FIGURE_BLACK,
                 "dots: middles of pixels, in the colour of the triangle that got them; "
                 "the rest grey");

@@ -5,7 +5,6 @@
  *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
  *   orders_depths(&o)        a plot: the smallest gap that each depth format tells, against depth
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
- *   orders_mirror_compare(nx, ny)   a mirror by its own camera against reflected rays: for tests
  */
 #ifndef ORDERS_MEASURE_H
 #define ORDERS_MEASURE_H
@@ -80,41 +79,34 @@ static inline void orders_measure(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* ns a pixel, so that pictures of different sizes stand in one table. Rays are few where triangles
- * are many: each asks them all. */
+/* Rays are few where triangles are many: each asks them all. */
 static inline void orders_times(const options *o)
 {
     static const int cells[6] = {1, 2, 4, 8, 16, 32};
-    table t = table_new("Time of both orders", "triangles|pixels|pixels asked a triangle|"
+    table t = table_new("Time of both orders, 640 x 480 pixels",
+                        "triangles|pixels asked a triangle|"
                         "covered a pixel|time: object order [ms]|time: rays [ms]|time: ratio");
-    plot p = plot_new("The two orders, no structure", "triangles", "time [ms]",
+    plot p = plot_new("The two orders, no structure, 640 x 480 pixels", "triangles", "time [ms]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int size = 160; size <= 640; size *= 4) {
-        char label[64];
-        snprintf(label, sizeof label, "object order, %d x %d", size, size * 3 / 4);
-        int drawn = plot_series(&p, label);
-        snprintf(label, sizeof label, "rays, %d x %d", size, size * 3 / 4);
-        int rays = plot_series(&p, label);
-        for (int k = 0; k < 6; k++) {
-            mesh m = orders_scene(cells[k], false);
-            camera c = orders_camera((real)4 / 3);
-            int n = size * size * 3 / 4;
-            int less = (int)fmax(1, sqrt((double)n * (double)m.triangles / 4e6));
-            int few = size / less > 4 ? size / less : 4;
-            orders_way way[2] = {{&m, c, size, size * 3 / 4, 8, 0, 0},
-                                 {&m, c, few, few * 3 / 4, -1, 0, 0}};
-            double ms[2];
-            bench_each(orders_run, way, sizeof *way, 2, 3, 1e3, ms);
-            raster s = orders_by(&way[0]);
-            double by_rays = ms[1] * n / (few * (few * 3 / 4));
-            table_count(&t, m.triangles), table_count(&t, (size_t)n);
-            table_number(&t, (double)s.asked / (double)m.triangles);
-            table_number(&t, (double)s.covered / n);
-            table_number(&t, ms[0]), table_number(&t, by_rays), table_number(&t, by_rays / ms[0]);
-            plot_add(&p, drawn, (double)m.triangles, ms[0]);
-            plot_add(&p, rays, (double)m.triangles, by_rays);
-            raster_free(&s), mesh_free(&m);
-        }
+    enum { nx = 640, ny = 480, n = nx * ny };
+    int drawn = plot_series(&p, "object order"), rays = plot_series(&p, "rays");
+    camera c = orders_camera((real)nx / ny);
+    for (int k = 0; k < 6; k++) {
+        mesh m = orders_scene(cells[k], false);
+        int less = (int)fmax(1, sqrt((double)n * (double)m.triangles / 4e6));
+        int few = nx / less > 4 ? nx / less : 4;
+        orders_way way[2] = {{&m, c, nx, ny, 8, 0, 0}, {&m, c, few, few * 3 / 4, -1, 0, 0}};
+        double ms[2];
+        bench_each(orders_run, way, sizeof *way, 2, 3, 1e3, ms);
+        raster s = orders_by(&way[0]);
+        ms[1] *= (double)n / (few * (few * 3 / 4));
+        table_count(&t, m.triangles);
+        table_number(&t, (double)s.asked / (double)m.triangles);
+        table_number(&t, (double)s.covered / n);
+        table_number(&t, ms[0]), table_number(&t, ms[1]), table_number(&t, ms[1] / ms[0]);
+        plot_add(&p, drawn, (double)m.triangles, ms[0]);
+        plot_add(&p, rays, (double)m.triangles, ms[1]);
+        raster_free(&s), mesh_free(&m);
     }
     output_extra_table(o, &t);
     output_plot(o, &p, "08_object_order_time.svg");
@@ -178,82 +170,48 @@ static inline void orders_depths(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const mesh *m; const raster *s; camera lamp; int side; bool *dark; } orders_shadow;
+typedef struct { const mesh *m; const raster *s; int side; real bias; bool *dark; } orders_shadow;
 
 /* All pixels of s: by a map of side x side made anew, or (0) by rays. */
 static inline double orders_shadow_run(void *context)
 {
     const orders_shadow *w = context;
-    if (!w->side) return (double)orders_darken(w->s, w->m, w->lamp, NULL, 0, w->dark);
-    shadow_map t = shadow_map_new(w->m, w->lamp, w->side, raster_default);
-    size_t dark = orders_darken(w->s, w->m, w->lamp, &t, (real)0.004, w->dark);
+    camera lamp = orders_lamp();
+    if (!w->side) return (double)orders_darken(w->s, w->m, lamp, NULL, 0, w->dark);
+    shadow_map t = shadow_map_new(w->m, lamp, w->side, raster_default);
+    size_t dark = orders_darken(w->s, w->m, lamp, &t, w->bias, w->dark);
     shadow_map_free(&t);
     return (double)dark;
 }
 
 static inline void orders_shadows(const options *o)
 {
-    static const int sides[6] = {64, 128, 256, 512, 1024, 0};
-    static const double bias[3] = {0, 0.004, 0.04};
+    static const int sides[4] = {64, 256, 1024, 0};
+    static const real bias[3] = {0, (real)0.04, (real)0.004};  /* the last is timed */
     enum { nx = 320, ny = 240 };
     static bool due[nx * ny], dark[nx * ny];
     mesh m = orders_scene(4, false);
-    camera lamp = orders_lamp();
     raster s = raster_new(nx, ny);
     raster_mesh(&s, &m, orders_camera((real)nx / ny), raster_default);
     table t = table_new("Shadow maps against shadow rays", "texels|error: no bias [% of pixels]|"
-                        "error: bias 0.004|error: bias 0.04|time [ms]");
-    orders_shadow w[6];
-    double ms[6];
-    for (int k = 0; k < 6; k++) w[k] = (orders_shadow){&m, &s, lamp, sides[k], dark};
-    bench_each(orders_shadow_run, w, sizeof *w, 6, 3, 1e3, ms);
-    orders_darken(&s, &m, lamp, NULL, 0, due);
-    for (int k = 0; k < 6; k++) {
-        shadow_map map = shadow_map_new(&m, lamp, sides[k] ? sides[k] : 1, raster_default);
-        if (sides[k]) table_text(&t, "%d x %d", sides[k], sides[k]);
-        else table_text(&t, "rays");
+                        "error: bias 0.04|error: bias 0.004|time [ms]");
+    orders_shadow w[4];
+    double ms[4];
+    for (int k = 0; k < 4; k++) w[k] = (orders_shadow){&m, &s, sides[k], bias[2], dark};
+    bench_each(orders_shadow_run, w, sizeof *w, 4, 3, 1e3, ms);
+    orders_darken(&s, &m, orders_lamp(), NULL, 0, due);
+    for (int k = 0; k < 4; k++) {
+        table_text(&t, sides[k] ? "%d x %d" : "rays", sides[k], sides[k]);
         for (int j = 0; j < 3; j++) {
             size_t wrong = 0;
-            if (sides[k]) orders_darken(&s, &m, lamp, &map, (real)bias[j], dark);
-            for (int i = 0; sides[k] && i < nx * ny; i++) wrong += dark[i] != due[i];
+            w[k].bias = bias[j], orders_shadow_run(&w[k]);
+            for (int i = 0; i < nx * ny; i++) wrong += dark[i] != due[i];
             table_number(&t, 100 * (double)wrong / (nx * ny));
         }
         table_number(&t, ms[k]);
-        shadow_map_free(&map);
     }
     output_extra_table(o, &t);
     raster_free(&s), mesh_free(&m);
-}
-
-/* ---------------------------------------------------------------------------------------------- */
-
-/* Pixels that show the mirror: what its camera drew against the ray reflected at its plane. */
-static inline orders_difference orders_mirror_compare(int nx, int ny)
-{
-    mesh m = orders_scene(4, true), seen = m;
-    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)nx / (real)ny);
-    raster s = raster_new(nx, ny);
-    orders_difference d = {0, 0, 0, 0};
-    raster_mesh(&s, &m, c, raster_default);
-    raster t = orders_reflected(&m, c, &s);
-    camera c2 = mirror_camera(c, orders_mirror);
-    seen.triangles -= 2;
-    for (int k = 0; k < nx * ny; k++) {
-        if (s.h[k].shape < seen.triangles || s.h[k].shape == no_shape) continue;
-        ray r = camera_ray(c, (real)(k % nx) + (real)0.5, (real)(k / nx) + (real)0.5, nx, ny);
-        hit at, due = hit_none;
-        if (!plane_hit(orders_mirror, r, &at)) continue;
-        ray back = ray_from(ray_at(r, at.t), mirror_direction(r.d, orders_mirror));
-        (void)mesh_hit(&seen, back, &due);
-        d.judged++, d.other += due.shape != t.h[k].shape;
-        if (due.shape == t.h[k].shape) {  /* t of the image counts the way to the mirror, too */
-            double off = due.shape == no_shape ? 0 : fabs((double)((due.t + at.t) / t.h[k].t) - 1);
-            d.depth = off > d.depth ? off : d.depth;
-        } else d.unexplained += !orders_explained(t.h[k], &seen, c2, k % nx, k / nx,
-                                                  (real)ldexp(1, -8), nx, ny);
-    }
-    raster_free(&s), raster_free(&t), mesh_free(&m);
-    return d;
 }
 
 #endif

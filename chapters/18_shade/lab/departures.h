@@ -56,10 +56,9 @@ static inline shape departure_shape(departure_kind kind, real size, vec3 c, rand
     vbasis(z, &x, &y);
     real a = random_next(s), b = random_next(s), turn = 2 * pi * random_next(s);
     if (kind == DEPART_SPHERE) return shape_of_sphere((sphere){c, size});
+    real foot = size * (a + (real)0.01) / 2, top = a < (real)0.3 ? foot : size * b / 4;
     if (kind == DEPART_CONE)
-        return shape_of_cone((cone){c, size * (a + (real)0.01) / 2,
-                                    vmadd(c, z, size * (b + (real)0.1) / 2),
-                                    a < (real)0.3 ? size * (a + (real)0.01) / 2 : size * b / 4});
+        return shape_of_cone((cone){c, foot, vmadd(c, z, size * (b + (real)0.1) / 2), top});
     int n = kind == DEPART_POLYGON ? 5 : 3;
     for (int k = 0; k < n; k++) {
         real at = turn + (2 * pi / (real)n) * ((real)k + a / 2), r = size * (b + 1) / 2;

@@ -3,7 +3,7 @@
  *
  *   gallery *g = gallery_new(n, T);          teapot of n x n cells a patch; all moved by T along
  *                                            each axis; gallery_free
- *   camera c = gallery_camera(T, aspect);    of all; gallery_close_up: of the card's lower edge
+ *   camera c = gallery_camera(T, aspect, close);   of all, or of the card's lower edge
  *   shading how = gallery_shading(g);
  *   gallery_view v = {.g = g, .how = how, .c = c, .samples = n, .im = &im};      n^2 rays a pixel
  *   bool whole = gallery_draw(&v, threads)   v.counts: the rays
@@ -114,20 +114,11 @@ static inline shading gallery_shading(const gallery *g)
                      .background = {0.09, 0.13, 0.2}, .ambient = {0.1, 0.12, 0.15}};
 }
 
-static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real aspect)
+static inline camera gallery_camera(real T, real aspect, bool close)
 {
-    vec3 t = {T, T, T};
-    return camera_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, degrees, aspect);
-}
-
-static inline camera gallery_camera(real T, real aspect)
-{
-    return gallery_look(T, vec(-1.5, -15, 5.2), vec(0, -0.9, 1.25), 27, aspect);
-}
-
-static inline camera gallery_close_up(real T, real aspect)
-{
-    return gallery_look(T, vec(1.25, -4.85, 0.26), vec(1.955, -4.1, 0.022), 7, aspect);
+    vec3 from = close ? vec(1.25, -4.85, 0.26) : vec(-1.5, -15, 5.2), t = {T, T, T};
+    vec3 to = close ? vec(1.955, -4.1, 0.022) : vec(0, -0.9, 1.25);
+    return camera_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, close ? 7 : 27, aspect);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -153,7 +144,6 @@ static inline vec3 gallery_colour(const void *context, real x, real y)
     return vmin(c, (vec3){4, 4, 4});  /* a highlight must not outshout its pixel */
 }
 
-/* Sets v->counts; its other members are the caller's. */
 static inline bool gallery_draw(gallery_view *v, int threads)
 {
     pthread_mutex_init(&v->lock, NULL);

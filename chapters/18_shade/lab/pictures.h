@@ -28,7 +28,7 @@ static inline void draw_gallery(const options *o, int n, bool spend_all)
     gallery *g = gallery_new(n, 0);
     image im = image_new(o->width, o->height);
     gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im,
-                      .c = gallery_camera(0, (real)o->width / (real)o->height)};
+                      .c = gallery_camera(0, (real)o->width / (real)o->height, false)};
     while ((v.samples + 1) * (v.samples + 1) <= o->samples) v.samples++;
     v.how.spend_all = spend_all;
     double start = clock_seconds();
@@ -69,7 +69,7 @@ static inline void draw_acne(const options *o)
                           .im = &im};
         if (k % 2 == 0) v.how.surface_of = surface_f32;
         if (k % 2 == 0) v.how.leave = k ? leave_fixed_3e2 : leave_first;
-        v.c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
+        v.c = gallery_camera(T, (real)w / (real)h, k >= 2);
         whole = gallery_draw(&v, o->threads);
         image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
     }

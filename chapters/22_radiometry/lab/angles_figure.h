@@ -49,14 +49,14 @@ static inline void angles_patch(figure *g)
     for (int k = 0; k < 2; k++) {
         angles_curve(g, 0, phi + k * turn, 90, phi + k * turn, FIGURE_BLUE, 1.2);
         angles_curve(g, theta + k * wide, 0, theta + k * wide, 90, FIGURE_BLUE, 1.2);
+        angles_curve(g, 0, 90 * k, 90, 90 * k, FIGURE_GREY, 1.2);
     }
     angles_curve(g, 90, 0, 90, 90, FIGURE_GREY, 1.2);
-    angles_curve(g, 0, 0, 90, 0, FIGURE_GREY, 1.2);
-    angles_curve(g, 0, 90, 90, 90, FIGURE_GREY, 1.2);
-    angles_point x = angles_place(90, 0), y = angles_place(90, 90);
     figure_arrow(g, 0, 0, 0, 1.18, FIGURE_BLACK, 1.5);
-    figure_arrow(g, 0, 0, 1.12 * x.x, 1.12 * x.y, FIGURE_BLACK, 1.2);
-    figure_arrow(g, 0, 0, 1.12 * y.x, 1.12 * y.y, FIGURE_BLACK, 1.2);
+    for (int k = 0; k < 2; k++) {
+        angles_point axis = angles_place(90, 90 * k);
+        figure_arrow(g, 0, 0, 1.12 * axis.x, 1.12 * axis.y, FIGURE_BLACK, 1.2);
+    }
     figure_text(g, 0, 1.18, 8, 6, FIGURE_LEFT, FIGURE_BLACK, "*n*");
     figure_text(g, xy[2], xy[3], 16, 24, FIGURE_LEFT, FIGURE_BLACK, "sin _θ_ d_φ_");
     figure_text(g, xy[6], xy[7], 10, 6, FIGURE_LEFT, FIGURE_BLACK, "d_θ_");
@@ -98,8 +98,7 @@ static inline void angles_meters(figure *g)
         figure_polygon(g, 3, cone, FIGURE_SKY, 0.35, FIGURE_BLUE);
         figure_line(g, wall, y[k] - spot, wall, y[k] + spot, FIGURE_ORANGE, 6, FIGURE_WHOLE);
         figure_dot(g, apex[k], y[k], 6, FIGURE_BLUE);
-        figure_text(g, apex[k], y[k], -10, 5, FIGURE_RIGHT, FIGURE_BLACK, k ? "" : "_L_");
-        figure_text(g, apex[k], y[k], -2, -14, FIGURE_MIDDLE, FIGURE_BLACK, k ? "_L_" : "");
+        figure_text(g, apex[k], y[k], -2, -14, FIGURE_MIDDLE, FIGURE_BLACK, "_L_");
     }
     figure_text(g, 0, 0, 0, 95, FIGURE_MIDDLE, FIGURE_BLACK,
                 "farther: less of each point, more points");
@@ -108,12 +107,9 @@ static inline void angles_meters(figure *g)
 static inline void draw_angles(const options *o)
 {
     figure g = figure_begin(o, "22_radiometry_angles.svg", 1040, 350);
-    figure_origin(&g, 130, 235, 175);
-    angles_patch(&g);
-    figure_origin(&g, 560, 235, 160);
-    angles_beam(&g);
-    figure_origin(&g, 860, 235, 130);
-    angles_meters(&g);
+    figure_origin(&g, 130, 235, 175), angles_patch(&g);
+    figure_origin(&g, 560, 235, 160), angles_beam(&g);
+    figure_origin(&g, 860, 235, 130), angles_meters(&g);
     figure_end(&g);
 }
 

@@ -16,7 +16,6 @@
 #ifndef RADIOMETRY_DIRECTIONS_H
 #define RADIOMETRY_DIRECTIONS_H
 
-#include "../../20_monte_carlo/sampler.h"
 #include "../relations.h"
 
 typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, radiometry_lights } radiometry_light;
@@ -77,15 +76,15 @@ static inline real direction_sample(radiometry_light l, direction_way by,
 }
 
 /* The mean of n samples. */
-static inline double direction_estimate(radiometry_light l, direction_way by, sequence_kind kind,
-                                        uint64_t seed, uint64_t run, uint32_t n)
+static inline double direction_estimate(radiometry_light l, direction_way by, uint64_t seed,
+                                        uint64_t run, uint32_t n)
 {
     radiometry_seen k = radiometry_seen_of(seen_from);
     double sum = 0;
     for (uint32_t i = 0; i < n; i++) {
-        sampler s = sampler_start(kind, seed, run, i, n);
-        point2 p = sampler_pair(&s);
-        sum += (double)direction_sample(l, by, &k, p.u, p.v);
+        random_stream s = random_start(seed, run, i);
+        real u = random_next(&s), v = random_next(&s);
+        sum += (double)direction_sample(l, by, &k, u, v);
     }
     return sum / n;
 }

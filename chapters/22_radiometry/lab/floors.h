@@ -64,6 +64,13 @@ static inline void photon_start(floor_light light, random_stream *s, vec3 *o, ve
     *d = directed(m, *d);
 }
 
+/* x or y as a cell; -1: beside the floor. */
+static inline int floor_cell(real x)
+{
+    real at = (x + floor_half) / (2 * floor_half) * floor_cells;
+    return at >= 0 && at < floor_cells ? (int)at : -1;
+}
+
 static inline void floor_photons(floor_light light, uint64_t seed, size_t n, uint32_t *count)
 {
     for (size_t i = 0; i < n; i++) {
@@ -72,25 +79,9 @@ static inline void floor_photons(floor_light light, uint64_t seed, size_t n, uin
         photon_start(light, &s, &o, &d);
         if (!(o.z > 0) || !(d.z < 0)) continue;
         vec3 q = vmadd(o, d, -o.z / d.z);
-        real x = (q.x + floor_half) / (2 * floor_half) * floor_cells;
-        real y = (q.y + floor_half) / (2 * floor_half) * floor_cells;
-        if (x >= 0 && y >= 0 && x < floor_cells && y < floor_cells)
-            count[(int)y * floor_cells + (int)x]++;
+        int x = floor_cell(q.x), y = floor_cell(q.y);
+        if (x >= 0 && y >= 0) count[y * floor_cells + x]++;
     }
-}
-
-/* Mean of E over cell (i, j), by the middles of parts^2 of it; there is none inside the sphere. */
-static inline double floor_cell(floor_light light, int i, int j, int parts)
-{
-    double sum = 0;
-    for (int k = 0; k < parts * parts; k++) {
-        real x = ((real)i + ((real)(k % parts) + (real)0.5) / (real)parts) / floor_cells;
-        real y = ((real)j + ((real)(k / parts) + (real)0.5) / (real)parts) / floor_cells;
-        x = (2 * x - 1) * floor_half, y = (2 * y - 1) * floor_half;
-        bool inside = light == FLOOR_SPHERE && x * x + y * y < (real)0.64;
-        sum += inside ? 0 : (double)floor_exact(light, x, y);
-    }
-    return sum / (parts * parts);
 }
 
 /* Photons that n of them are expected to bring to a cell in which E is the mean. */

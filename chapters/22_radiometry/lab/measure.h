@@ -30,14 +30,13 @@ static inline void measure_relations(const options *o)
 
 /* ---- error against samples and time ---- */
 
-/* 16, 64 .. 16384 samples; without --full 4096. Two ways a row of the table, random and Sobol': the
- * four of the sphere, first.h's (direction_ways; random alone), the four of the square. */
-enum { way_levels = 6, way_brief = 4, way_rows = 2 * direction_ways + 1, ways_all = 2 * way_rows };
+/* 16, 64 .. 16384 samples; without --full 4096. The four ways of the sphere, first.h's
+ * (direction_ways), the four of the square. */
+enum { way_levels = 6, way_brief = 4, ways_all = 2 * direction_ways + 1 };
 typedef struct {
     const options *o;
     radiometry_light light;
     direction_way by;
-    sequence_kind kind;
     double rms[way_levels];
 } radiometry_way;
 
@@ -46,7 +45,7 @@ static inline uint32_t way_samples(int l) { return (uint32_t)16 << (2 * l); }
 static inline double way_estimate(const radiometry_way *w, uint64_t run, uint32_t n)
 {
     if (w->by != direction_ways)
-        return direction_estimate(w->light, w->by, w->kind, w->o->seed, run, n);
+        return direction_estimate(w->light, w->by, w->o->seed, run, n);
     random_stream random = random_start(w->o->seed, run, n);
     return (double)first_mean(first_irradiance_by_directions(lamp, 1, seen_from, seen_up, (int)n,
                                                              &random));
@@ -70,16 +69,13 @@ static inline void way_job(size_t i, void *context)
 
 static inline double run_way(void *context) { return way_estimate(context, 0, 1024); }
 
-/* Of the square, each way by random numbers, then by Sobol's. us: of a sample. */
+/* Of the square. us: of a sample. */
 static inline void ways_plot(const options *o, const radiometry_way *w, const double *us)
 {
     plot p = plot_new("Irradiance of the square: error against time", "time [us]", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < ways_all; i++) {
-        char name[64];
-        if (w[i].light != LIGHT_SQUARE) continue;
-        snprintf(name, sizeof name, "%s%s", direction_name[w[i].by], i % 2 ? ", Sobol'" : "");
-        int series = plot_series(&p, name);
+    for (int i = direction_ways + 1; i < ways_all; i++) {
+        int series = plot_series(&p, direction_name[w[i].by]);
         for (int l = 0; l < way_levels; l++)
             plot_add(&p, series, us[i] * way_samples(l), w[i].rms[l]);
     }
@@ -91,29 +87,19 @@ static inline void measure_ways(const options *o)
 {
     radiometry_way w[ways_all];
     double us[ways_all];
+    table t = table_new("Irradiance of two lights by 4096 samples: error (root mean square, "
+                        "relative) and time", "light|samples by|error random|time random [us]");
     for (int i = 0; i < ways_all; i++) {
-        int k = i / 2, square = k > direction_ways;
+        int square = i > direction_ways;
         w[i] = (radiometry_way){o, square ? LIGHT_SQUARE : LIGHT_SPHERE,
-                                (direction_way)(k - square * (direction_ways + 1)),
-                                i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, {0}};
+                                (direction_way)(i - square * (direction_ways + 1)), {0}};
     }
     parallel_whole(ways_all, o->threads, "estimates", way_job, w);
     bench_each(run_way, w, sizeof *w, ways_all, o->quick ? 3 : o->full ? 51 : 15, 1e6 / 1024, us);
-    table t = table_new("Irradiance of two lights by 4096 samples: error (root mean square, "
-                        "relative) and time",
-                        "light|samples by|N|error random|time random [us]|error Sobol'|"
-                        "time Sobol' [us]");
     for (int i = 0; i < ways_all; i++) {
-        bool first = w[i].by == direction_ways;
-        if (i % 2 == 0) {
-            table_text(&t, "%s", radiometry_light_name[w[i].light]);
-            table_text(&t, "%s", first ? "first" : direction_name[w[i].by]);
-            table_count(&t, way_samples(way_brief));
-        }
-        double cell[2] = {w[i].rms[way_brief], us[i] * way_samples(way_brief)};
-        for (int k = 0; k < 2; k++)
-            if (first && i % 2) table_text(&t, "-");
-            else table_number(&t, cell[k]);
+        table_text(&t, "%s", radiometry_light_name[w[i].light]);
+        table_text(&t, "%s", i == direction_ways ? "first" : direction_name[w[i].by]);
+        table_number(&t, w[i].rms[way_brief]), table_number(&t, us[i] * way_samples(way_brief));
     }
     output_table(o, &t);
     if (o->full) ways_plot(o, w, us);

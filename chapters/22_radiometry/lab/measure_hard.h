@@ -84,11 +84,12 @@ static inline radiometry_hard_input hard_make(const radiometry_hard_case *c, ran
 
 static inline double hard_exact(const radiometry_hard_input *h)
 {
+    sphere s = h->s;
     switch (h->kind) {
-    case HARD_SPHERE_ANGLE: return sphere_solid_angle_exact(h->s, seen_from);
+    case HARD_SPHERE_ANGLE: return sphere_solid_angle_exact(s, seen_from);
     case HARD_TRIANGLE_ANGLE: return triangle_solid_angle_exact(h->t, seen_from);
     case HARD_SPHERE_E:
-        return sphere_irradiance_exact((double)h->s.r, (double)h->s.c.x, (double)h->s.c.z);
+        return sphere_irradiance_exact((double)s.r, (double)s.c.x, (double)s.c.z);
     case HARD_SQUARE_E: return polygon_irradiance_exact(h->v, 4, seen_from);
     }
     return 0;
@@ -98,17 +99,14 @@ static inline real hard_value(const radiometry_hard_input *h, bool naive)
 {
     switch (h->kind) {
     case HARD_SPHERE_ANGLE:
-        return naive ? first_sphere_solid_angle(h->s, seen_from)
-                     : sphere_solid_angle(h->s, seen_from);
+        return (naive ? first_sphere_solid_angle : sphere_solid_angle)(h->s, seen_from);
     case HARD_TRIANGLE_ANGLE:
-        return naive ? triangle_solid_angle_girard(h->t, seen_from)
-                     : triangle_solid_angle(h->t, seen_from);
+        return (naive ? triangle_solid_angle_girard : triangle_solid_angle)(h->t, seen_from);
     case HARD_SPHERE_E:
-        return naive ? sphere_irradiance_naive(h->s, seen_from, seen_up)
-                     : sphere_irradiance(h->s, seen_from, seen_up);
+        return (naive ? sphere_irradiance_naive : sphere_irradiance)(h->s, seen_from, seen_up);
     case HARD_SQUARE_E:
-        return naive ? polygon_irradiance_naive(h->v, 4, seen_from, seen_up)
-                     : polygon_irradiance(h->v, 4, seen_from, seen_up);
+        return (naive ? polygon_irradiance_naive
+                      : polygon_irradiance)(h->v, 4, seen_from, seen_up);
     }
     return 0;
 }

@@ -1,8 +1,7 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_floor(o)    three lights (columns, floors.h); rows: closed form, contours (等照度线) at
- *                    factors of 2; photons counted; their difference in standard errors, orange
- *                    too many, blue too few
+ *   draw_floor(o)    three lights (columns, floors.h): above the closed form, with contours
+ *                    (等照度线) at factors of 2; below photons, counted
  *   draw_view(o)     what a point sees above it; view_direction(VIEW_PROJECTED, x, y, &w) is the
  *                    direction of a place in it, view_met(w) what is met there, or -1
  *
@@ -25,24 +24,18 @@ typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { floor_gap = 6, floor_rows = 3, floor_all = floor_cells * floor_cells };
+enum { floor_gap = 6, floor_rows = 2 };
 typedef struct {
     int width, height;
     uint64_t seed;
     size_t photons;       /* of each light */
-    int parts;            /* floor_cell's */
-    uint32_t count[floor_lights][floor_all];
-    double expected[floor_lights][floor_all];
+    uint32_t count[floor_lights][floor_cells * floor_cells];
 } radiometry_floors;
 
-/* By the logarithm: black at pi / 1024 and below, then blue, red, yellow; pi is nearly white. */
-static inline vec3 heat(double e)
+/* By the logarithm: black at pi / 1024 and below, white at pi. */
+static inline vec3 floor_heat(double e)
 {
-    static const vec3 stop[6] = {{0, 0, 0.02}, {0.02, 0.03, 0.25}, {0.25, 0.02, 0.3},
-                                 {0.75, 0.08, 0.08}, {1, 0.5, 0.03}, {1, 1, 0.75}};
-    real t = real_clamp((real)(e > 0 ? (log2(e / (double)pi) + 10) / 2 : 0), 0, (real)4.999);
-    int i = (int)t;
-    return vmadd(stop[i], vsub(stop[i + 1], stop[i]), t - (real)i);
+    return work_colour((real)(e > 0 ? log2(e / (double)pi) / 10 + 1 : 0));
 }
 
 static inline void photon_job(size_t light, void *context)
@@ -51,31 +44,15 @@ static inline void photon_job(size_t light, void *context)
     floor_photons((floor_light)light, f->seed, f->photons, f->count[light]);
 }
 
-static inline void cells_job(size_t i, void *context)
-{
-    radiometry_floors *f = context;
-    floor_light light = (floor_light)(i / floor_cells);
-    int j = (int)(i % floor_cells);
-    for (int k = 0; k < floor_cells; k++) {
-        double e = floor_cell(light, k, j, f->parts);
-        f->expected[light][j * floor_cells + k] = floor_expected(light, e, (double)f->photons);
-    }
-}
-
 static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, int row, real x,
                                 real y, real px)
 {
-    int i = (int)((x + floor_half) / (2 * floor_half) * floor_cells);
-    int j = (int)((y + floor_half) / (2 * floor_half) * floor_cells), cell = j * floor_cells + i;
-    double counted = f->count[light][cell], expected = f->expected[light][cell];
-    if (row == 1) return heat(counted / floor_expected(light, 1, (double)f->photons));
-    if (row == 2)
-        return expected < 5 ? vec(0.6, 0.6, 0.6)
-                            : balance_colour((counted - expected) / sqrt(expected) / 4);
+    double counted = f->count[light][floor_cell(y) * floor_cells + floor_cell(x)];
+    if (row) return floor_heat(counted / floor_expected(light, 1, (double)f->photons));
     double e = (double)floor_exact(light, x, y), level = floor(log2(e));
     bool line = e > 1.0 / 1024 && (floor(log2((double)floor_exact(light, x + px, y))) != level
                                    || floor(log2((double)floor_exact(light, x, y + px))) != level);
-    return line ? vec(0.9, 0.9, 0.9) : heat(e);
+    return line ? vec(0.9, 0.9, 0.9) : floor_heat(e);
 }
 
 static inline vec3 floor_place(const void *context, real x, real y)
@@ -91,25 +68,21 @@ static inline vec3 floor_place(const void *context, real x, real y)
     return floor_colour(f, (floor_light)light, row, i * px - floor_half, floor_half - j * px, px);
 }
 
-static inline vec3 floor_bar(real part) { return heat((double)pi * exp2(10 * ((double)part - 1))); }
-
 static inline void draw_floor(const options *o)
 {
     image im = image_new(o->width, o->height);
     radiometry_floors *f = allocate(1, sizeof *f);
     f->width = o->width, f->height = o->height, f->seed = o->seed;
-    f->photons = o->quick ? 100000 : 3000000, f->parts = o->quick ? 2 : 8;
+    f->photons = o->quick ? 100000 : 3000000;
     bool whole = parallel_for(floor_lights, o->threads, "photons", photon_job, f)
-              && parallel_for(floor_lights * floor_cells, o->threads, "cells", cells_job, f)
               && pixels_draw(&im, 1, o->threads, "floor", floor_place, f);
-    static const char *const title[9] = {
+    static const char *const title[floor_rows * floor_lights] = {
         "ball: closed form", "square: closed form", "spotlight: closed form",
-        "photons counted", "photons counted", "photons counted",
-        "difference, in standard errors", "orange: too many", "blue: too few"};
+        "photons counted", "photons counted", "photons counted"};
     if (o->width >= 600 && o->height >= 300) {  /* narrower, titles would run together */
         enum { strip = 46 };                    /* below: a bar of the colours */
         label_titles(&im, floor_lights, floor_rows, floor_gap, title), label_below(&im, strip);
-        label_bar(&im, im.width / 4, im.height - strip + 8, im.width / 2, 9, floor_bar,
+        label_bar(&im, im.width / 4, im.height - strip + 8, im.width / 2, 9, work_colour,
                   (double)pi / 1024, (double)pi,
                   "irradiance [W/m^2], twice as much at each white line");
     }
