@@ -383,6 +383,23 @@ static void test_environment(void)
     image_free(&im);
 }
 
+/* The program itself compares its walk with path_radiance: another L is exit 1. */
+static void test_pixel(void)
+{
+    for (int k = 0; k < 6; k++) {
+        char arguments[80];
+        snprintf(arguments, sizeof arguments, "--pixel %d,%d --scene %s --seed %d", 40 + 40 * k,
+                 250 - 20 * k, ((const char *[]){"cornell", "spheres", "metal"})[k % 3], k);
+        check_equal(run("26_path_tracer", arguments), 0, "%s", arguments);
+        check(printed("out", "\nx0 = (") && printed("out", "(26.2)") && printed("out", "(26.5)\n"),
+              "lines with their equations");
+    }
+    check_equal(run("26_path_tracer", "--pixel 640,0"), 2, "beside the picture");
+    check(printed("err", "--pixel 640,0: allowed are X,Y"), "says so");
+    check_equal(run("26_path_tracer", "--pixel 3,3 --time 1"), 2, "no picture");
+    check_equal(run("26_path_tracer", "--pixel 3,3 --scene teapot"), 2, "no box");
+}
+
 int main(void)
 {
     if (!mkdtemp(directory)) return 1;
@@ -397,6 +414,7 @@ int main(void)
     test_environment();
     test_error();
     test_program();
+    test_pixel();
     char clean[300];
     snprintf(clean, sizeof clean, "rm -r %s", directory);
     return check_report("26_state") | (system(clean) != 0);

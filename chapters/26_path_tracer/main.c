@@ -7,11 +7,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
 #include "lab/command.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
-#include "lab/vertices_figure.h"
+#include "lab/pixel.h"
 
 int main(int argc, char **argv)
 {
     command c = {.scene = NULL};
+    const char *pixel = NULL;
     options defaults = {.width = 640, .height = 640, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, showcase_names},
@@ -24,10 +25,19 @@ int main(int argc, char **argv)
         {"range", OPTION_TEXT, &c.range, 0, 0, "A:B, samples A to B - 1 only, for --merge"},
         {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
         {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut brighter samples: darkens; default not"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit, in words and drawn"},
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
     if (o.quick && o.width == 640 && o.height == 640) o.width = o.height = 160;
+    if (pixel) {
+        const char *name = c.scene ? c.scene : "cornell";
+        c.scene = NULL, o.own = true;
+        if (command_given(&c, &o) || o.out || o.csv)
+            die(2, "--pixel goes with --scene, --size and --seed alone");
+        pixel_explain(&o, name, pixel);
+        return output_done(&o);
+    }
     if (command_given(&c, &o)) {
         o.own = true;
         command_run(&c, &o);

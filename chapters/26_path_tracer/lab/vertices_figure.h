@@ -13,7 +13,7 @@
 #include "../../../common/lab/figure.h"
 #include "showcase.h"
 
-enum { vertices_most = 8 };
+enum { vertices_most = 64 };
 typedef struct {
     vec3 p, lamp, beta, gain;
     real weight;               /* w_L */
@@ -59,6 +59,12 @@ static inline vertices_point vertices_place(camera c, vec3 p)
     real x = 0, y = 0;
     camera_project(c, p, 1, 1, &x, &y);
     return (vertices_point){(double)x, 1 - (double)y};
+}
+
+/* From outside, through the red wall. */
+static inline camera vertices_view(void)
+{
+    return showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
 }
 
 /* Where the drawing of the eye's ray begins. */
@@ -167,8 +173,7 @@ static inline void draw_vertices(const options *o)
     path_random r = path_start(&s.t.how, 1, tried, 0, 1);
     point2 u = path_pair(&r);
     int n = vertices_of(&s.t, camera_ray(s.c.eye, x + u.u, y + u.v, side, side), r, v);
-    /* From outside, through the red wall. */
-    camera c = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    camera c = vertices_view();
     vertices_point e = vertices_place(c, vertices_from(s.c.eye.e, v));
     vertices_point lamp = vertices_place(c, v[0].lamp);
     vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
