@@ -134,9 +134,8 @@ static inline surface departure_surface(const departure *x, bool naive)
 /* The way out along w. */
 static inline ray departure_ray(const departure *x, leaving way, vec3 w)
 {
-    surface s = way.naive ? surface_naive(&x->s, x->r, way.first ? x->first : x->h)
-                          : surface_of_shape(&x->s, x->r, x->h);
-    return way.leave(surface_facing(s, x->r.d), w);
+    if (!way.first) return way.leave(departure_surface(x, way.naive), w);
+    return way.leave(surface_facing(surface_naive(&x->s, x->r, x->first), x->r.d), w);
 }
 
 static inline bool departure_self(const departure *x, leaving way)

@@ -53,10 +53,16 @@ static inline real leave_ulps_axis(real x, real n)
 
 static inline ray leave_ulps(surface s, vec3 w)
 {
-    real side = vdot(s.n, w) < 0 ? -1 : 1;
-    for (int k = 0; k < 3; k++)
-        s.p = vwith(s.p, k, leave_ulps_axis(vaxis(s.p, k), side * vaxis(s.n, k)));
-    return (ray){s.p, 0, w, real_infinity};
+    vec3 n = vdot(s.n, w) < 0 ? vneg(s.n) : s.n;
+    vec3 o = {leave_ulps_axis(s.p.x, n.x), leave_ulps_axis(s.p.y, n.y),
+              leave_ulps_axis(s.p.z, n.z)};
+    return (ray){o, 0, w, real_infinity};
+}
+
+/* Each component to the next real on the side it was moved to. */
+static inline real leave_outward(real x, real by)
+{
+    return by == 0 ? x : nextafter(x, by > 0 ? real_infinity : -real_infinity);
 }
 
 /* p is sure, but the test of one needle in 2e4 weighs corners that nearly cancel, and is not. */
@@ -64,10 +70,7 @@ static inline ray leave_bounds(surface s, vec3 w)
 {
     real off = s.error * (fabs(s.n.x) + fabs(s.n.y) + fabs(s.n.z));
     vec3 by = vscale(s.n, vdot(s.n, w) < 0 ? -off : off), o = vadd(s.p, by);
-    for (int k = 0; k < 3; k++) {  /* each to the next real on the side it was moved to */
-        real way = vaxis(by, k), end = way > 0 ? real_infinity : -real_infinity;
-        if (way != 0) o = vwith(o, k, nextafter(vaxis(o, k), end));
-    }
+    o = (vec3){leave_outward(o.x, by.x), leave_outward(o.y, by.y), leave_outward(o.z, by.z)};
     return (ray){o, 0, w, real_infinity};
 }
 
