@@ -22,6 +22,7 @@
  *   text_skip(&r)              goes to the end of the line
  *   text_bad(&r, token, what, allowed)   "FILE:LINE: KEYWORD: what 'TOKEN', allowed: ..."
  *   text_grow(...)             makes an array longer
+ *   text_in_memory(text)       a stream of it, for text_begin; NULL: no memory; fclose it
  *
  * A number is rounded to the nearest double (decimal.h); in float builds that double is rounded
  * once more, which leaves it within 1/2 + 2^-29 ulp of the text.
@@ -179,6 +180,15 @@ static inline bool text_rest(text_reader *r, const char **name, size_t *size)
     *size = (size_t)(stop - r->p);
     r->p = p;
     return true;
+}
+
+/* Without a buffer of its own: the stream says nothing where there is no memory for that. */
+static inline FILE *text_in_memory(const char *text)
+{
+    size_t n = strlen(text);
+    FILE *in = fmemopen((void *)(n ? text : "\n"), n ? n : 1, "rb");  /* it is only read */
+    if (in) setvbuf(in, NULL, _IONBF, 0);
+    return in;
 }
 
 static inline bool text_begin(text_reader *r, FILE *in, const char *name, failure *f)

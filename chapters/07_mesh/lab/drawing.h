@@ -39,7 +39,7 @@ static inline void draw_arrays(const options *o, const char *name)
     for (int i = 0; i < lines; i++) strcat(strcat(text, line[i]), "\n");
     mesh m;
     failure f;
-    FILE *in = fmemopen(text, strlen(text), "rb");
+    FILE *in = text_in_memory(text);
     if (!in || !obj_read_stream(in, name, UINT32_MAX, &m, &f)) die(1, "%s: no memory", name);
     fclose(in);
 

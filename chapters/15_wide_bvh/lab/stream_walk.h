@@ -2,12 +2,13 @@
 __attribute__((noinline))
 static void EIGHT(bvh8_stream)(const bvh8 *w, ray *r, int n, hit *out, stream_work *work)
 {
+    const bvh8_skip none = bvh8_skip_none;
     stream_waiting stack[512];
     bvh8_ray q[stream_rays];
     unsigned usable = 0;
     int top = 0;
     for (int i = 0; w->nodes > 0 && i < n; i++)
-        usable |= (unsigned)bvh8_ray_of(w, &r[i], &bvh8_skip_none, &q[i]) << i;
+        usable |= (unsigned)bvh8_ray_of(w, &r[i], &none, &q[i]) << i;
     stack[top++] = (stream_waiting){0, usable, 0};
     while (top > 0) {
         stream_waiting now = stack[--top];

@@ -131,15 +131,15 @@ static inline bool say_indirect(statement *q)
 }
 
 /* A material of the list, described anew where it is first named. */
-static inline bool say_listed(statement *q, const char *name, uint32_t *out)
+static inline bool say_listed(statement *q, const char *name, const char *keys, uint32_t *out)
 {
-    const char *keys = material_listed(name);
     text_reader t;
-    bool ok = true, known;
-    FILE *in = keys ? fmemopen((void *)keys, strlen(keys), "rb") : NULL;  /* it is only read */
-    if (!in) return false;
+    bool known;
+    FILE *in = text_in_memory(keys);
+    if (!in) return failed(q->f, 1, "%.100s: no memory", name);
     *out = studio_add_material(q->s, name, q->at);
-    if (text_begin(&t, in, name, q->f)) {
+    bool ok = text_begin(&t, in, name, q->f);
+    if (ok) {
         while (ok && text_statement(&t)) ok = mtl_key(q->s, &t, *out, q->at, &known);
         ok = text_end(&t) && ok;
     }
@@ -154,7 +154,9 @@ static inline bool say_named(statement *q, const char *name, uint32_t *out)
     uint32_t k = studio_palette_find(&q->s->own, name);
     for (size_t i = 0; k == name_none && i < q->s->libraries; i++)
         k = studio_palette_find(&q->s->library[i].palette, name);
-    if (k == name_none && !say_listed(q, name, &k))
+    const char *keys = k == name_none ? material_listed(name) : NULL;
+    if (keys && !say_listed(q, name, keys, &k)) return false;
+    if (k == name_none)
         return failed(q->f, 2, "%s:%u: %s: no material '%.100s', allowed: names that material or "
                       "mtl gave before, or of the list: white, chrome, glass ..",
                       text_name(q->t), (unsigned)q->at.line, q->t->keyword, name);

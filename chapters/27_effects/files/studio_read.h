@@ -85,8 +85,7 @@ static inline bool scene_read_stream(studio *s, FILE *in, const char *path, fail
 
 static inline bool scene_read_text(studio *s, const char *text, const char *name, failure *f)
 {
-    size_t n = strlen(text);
-    FILE *in = fmemopen((void *)(n ? text : "\n"), n ? n : 1, "rb");  /* it is only read */
+    FILE *in = text_in_memory(text);
     if (!in) return failed(f, 1, "%.100s: no memory", name);
     return scene_read_stream(s, in, name, f);
 }
