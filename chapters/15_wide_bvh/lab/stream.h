@@ -1,7 +1,7 @@
 /* stream.h: up to eight rays through the tree together: a node is fetched once for all of them, and
  * they wait on one stack, where it is near for any of them. The same hits. Does it pay?
  *
- *   bvh8_hit_stream(&w, r, n, hits, &work)    n <= stream_rays; r is lost: tmax shrinks
+ *   bvh8_hit_stream(&w, r, n, hits, &work)    n <= stream_rays; hit_none where nothing is
  *   table_of_streams(o, &s)                   neighbours in the picture, and scattered rays
  *
  * Source: I. Wald, P. Slusallek, C. Benthin, M. Wagner, "Interactive Rendering with Coherent Ray
