@@ -4,7 +4,7 @@
 
 #include "hard.h"
 #include "../../chapters/01_ray/lab/points.h"
-#include "../../chapters/02_camera/lab/oracle.h"
+#include "../02_oracle.h"
 #include "../../chapters/03_sphere/lab/sphere_survey.h"
 #include "../../chapters/04_triangle/first.h"
 #include "../../chapters/04_triangle/lab/needles.h"

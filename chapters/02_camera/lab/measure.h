@@ -13,7 +13,6 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "draw.h"
-#include "oracle.h"
 #include "pattern.h"
 
 enum { camera_side = 32, camera_pixels = camera_side * camera_side };
