@@ -129,14 +129,12 @@ static inline void draw_walk(const options *o)
     walk_legend(&g);
     walk_marks(&g, &all, &l);
     for (int i = 0; i <= n; i++) {
-        char text[8];
-        snprintf(text, sizeof text, "%d", i + 1);
         walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.3);
         double x = (double)(wall[i].cell % walk_wide), y = (double)(wall[i].cell / walk_wide);
         double middle = i ? (wall[i - 1].t + fmin(wall[i].t, (double)h.t)) / 2 : wall[i].t / 2;
         bool high = (double)ray_at(r, (real)middle).y > y + 0.5;  /* the ray: keep off it */
-        figure_text(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
-                    high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, text);
+        figure_print(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
+                     high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, "%d", i + 1);
     }
     for (int i = 0; i <= walk_wide; i++)
         figure_line(&g, i, 0, i, walk_high, FIGURE_GREY, 0.6, FIGURE_WHOLE);
