@@ -59,10 +59,11 @@ static inline void csg_main_table(const options *o)
     csg_timing x[csg_methods];
     double ns[csg_methods];
     for (int k = 0; k < 5; k++) y.sight[k] = csg_sight_of(shown[k], o->seed);
+    csg c = y.sight[0].scene.c, bare = c;
+    bare.no_bounds = true;
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m < csg_methods - 1 ? &y.sight[0].bare : &y.sight[0].scene.c, m, r,
-                            csg_timed};
+        x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, m, r, csg_timed};
     bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
@@ -75,7 +76,7 @@ static inline void csg_main_table(const options *o)
         for (int k = 0; k < 5; k++) table_number(&t, cell[k]);
     }
     output_table(o, &t);
-    for (int k = 0; k < 5; k++) csg_sight_free(&y.sight[k]);
+    for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
 }
 
 /* ---- what bounds save ---- */
@@ -121,10 +122,9 @@ static inline void csg_savings_table(const options *o)
         vec3 eye = vadd(vec(1, 1.5, 4), random_in_cube(&s, (real)0.5));
         r[i] = ray_from(eye, vsub(random_in_cube(&s, 1), eye));
     }
-    for (int k = 0; k < 2; k++) {
-        if (!csg_build(m, (csg_options){k == 0}, &c[k], &f)) fail(f);
-        x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
-    }
+    if (!csg_build(m, (csg_options){0}, &c[1], &f)) fail(f);
+    c[0] = c[1], c[0].no_bounds = true;
+    for (int k = 0; k < 2; k++) x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
     bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, ns);
     for (int k = 0; k < 2; k++) {
         csg_asked.solids = csg_asked.bounds = 0;
@@ -132,8 +132,8 @@ static inline void csg_savings_table(const options *o)
         table_text(&t, k ? "with bounds" : "no bounds");
         table_number(&t, (double)csg_asked.solids / csg_timed);
         table_number(&t, (double)csg_asked.bounds / csg_timed), table_number(&t, ns[k]);
-        csg_free(&c[k]);
     }
+    csg_free(&c[1]);
     free((void *)(uintptr_t)m.solid), free((void *)(uintptr_t)m.step);
     output_extra_table(o, &t);
 }
@@ -153,7 +153,7 @@ static inline void csg_tolerance_plot(const options *o)
             csg_tolerance = pow((real)10, (real)e / 2);
             plot_add(&p, k, (double)csg_tolerance, csg_wrong(&s, csg_hit_tolerant, true, 1000));
         }
-        csg_sight_free(&s);
+        csg_scene_free(&s.scene);
     }
     output_plot(o, &p, "06_csg_tolerance.svg");
 }
