@@ -111,12 +111,13 @@ static inline void measure_variants(const options *o)
 static inline void measure_density(const options *o)
 {
     static const char *const name[3] = {"teapot", "triangles", "stadium"};
+    const real edge = (real)cbrt(1 / 20000.0) / 2;  /* half as long as 20000 triangles are apart */
     plot time = plot_new("Time against cells", "cells a shape", "time [ns a ray]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < 3; k++) {
         trial_scene s;
         vec3 lo, hi;
-        trial_scene_of(k == 0 ? teapot_mesh(24) : k == 1 ? grid_soup(20000, o->seed)
+        trial_scene_of(k == 0 ? teapot_mesh(24) : k == 1 ? soup_mesh(20000, 0.5, edge, o->seed)
                                                          : stadium_mesh(16), &s);
         mesh_bounds(&s.m, &lo, &hi);
         s.rays[TRIAL_UNIFORM] = k == 2 ? rays_primary(grid_stadium_camera(), 14, 14)

@@ -26,7 +26,7 @@ enum { walk_segments = sizeof walk_lines / sizeof *walk_lines };
 /* One triangle a segment, standing on it: within the layer 0 <= z <= 1. */
 static inline mesh walk_mesh(void)
 {
-    mesh m = grid_soup(walk_segments, 1);
+    mesh m = mesh_room(walk_segments);
     for (size_t i = 0; i < walk_segments; i++) {
         const real *s = walk_lines[i];
         m.v[3 * i] = (vec3){s[0], s[1], -9}, m.v[3 * i + 1] = (vec3){s[2], s[3], -9};
