@@ -150,7 +150,6 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
 
 static inline void implicit_draw_roots(const options *o)
 {
-    if (o->out) return;
     implicit_surface s = implicit_torus_distance(&implicit_tube);
     s.f = implicit_recorded_f, s.range = implicit_recorded_range;
     implicit_surface all = s;

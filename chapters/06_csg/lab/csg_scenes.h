@@ -111,11 +111,12 @@ static inline csg_scene csg_scene_pocket(bool mesh, vec3 shift)
     return s;
 }
 
+static const vec3 csg_paint[] = {{0.72, 0.10, 0.06}, {0.05, 0.20, 0.62}, {0.10, 0.50, 0.22},
+                                 {0.85, 0.50, 0.04}, {0.05, 0.48, 0.50}, {0.50, 0.14, 0.42}};
+
 static inline vec3 csg_scene_colour(const csg_scene *s, hit h)
 {
-    static const vec3 paint[] = {{0.72, 0.10, 0.06}, {0.05, 0.20, 0.62}, {0.10, 0.50, 0.22},
-                                 {0.85, 0.50, 0.04}, {0.05, 0.48, 0.50}, {0.50, 0.14, 0.42}};
-    return paint[csg_solid_of(&s->c, h) % (sizeof paint / sizeof *paint)];
+    return csg_paint[csg_solid_of(&s->c, h) % (sizeof csg_paint / sizeof *csg_paint)];
 }
 
 #endif
