@@ -15,21 +15,22 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { implicit_most_asked = 400, implicit_drawn_steps = 10 };
-static struct {
-    int n;
-    struct { vec3 p; interval T, f; } at[implicit_most_asked];  /* at p or over T, in turn: f */
-} implicit_record;  /* one drawing at a time */
+typedef struct { vec3 p; interval T, f; } implicit_answer;  /* at p, or over T: f */
+static implicit_answer implicit_record[implicit_most_asked];  /* one drawing at a time */
+static int implicit_recorded;
 
 /* In the plane y = 0, 0.25 above the middle of the left tube, whose radius is 0.3. */
 static const ray implicit_figure_ray = {{-2, 0, (real)0.33}, 0, {1, 0, (real)-0.08}, 4};
 
+static inline void implicit_keep(implicit_answer a)
+{
+    if (implicit_recorded < implicit_most_asked) implicit_record[implicit_recorded++] = a;
+}
+
 static real implicit_recorded_f(const void *ring, vec3 p)
 {
     real f = implicit_torus_distance_f(ring, p);
-    if (implicit_record.n < implicit_most_asked) {
-        implicit_record.at[implicit_record.n].p = p;
-        implicit_record.at[implicit_record.n++].f = interval_at((double)f);
-    }
+    implicit_keep((implicit_answer){.p = p, .f = interval_at((double)f)});
     return f;
 }
 
@@ -37,10 +38,8 @@ static real implicit_recorded_f(const void *ring, vec3 p)
 static jet implicit_recorded_range(const void *ring, jet x, jet y, jet z)
 {
     jet J = implicit_torus_distance_range(ring, x, y, z);
-    if (implicit_record.n < implicit_most_asked && interval_width(x.v) > 1e-6) {
-        implicit_record.at[implicit_record.n].T = interval_add(x.v, interval_at(2));
-        implicit_record.at[implicit_record.n++].f = J.v;
-    }
+    if (interval_width(x.v) > 1e-6)
+        implicit_keep((implicit_answer){.T = interval_add(x.v, interval_at(2)), .f = J.v});
     return J;
 }
 
@@ -71,12 +70,12 @@ static inline void implicit_draw_steps(figure *g, const implicit_surface *s)
     implicit_axis(g, 160, 130, "fixed steps: _f_ at _t_~k~, until its sign changes");
     implicit_curve(g, scale, FIGURE_SKY, 2);
     implicit_asked = s;
-    implicit_record.n = 0;
+    implicit_recorded = 0;
     if (!first_implicit_hit(implicit_asked_value, implicit_figure_ray, implicit_drawn_steps, &h))
         abort();
-    for (int k = 0; k < implicit_record.n; k++) {
-        double x = 200 * ((double)implicit_record.at[k].p.x + 2);
-        double y = scale * implicit_record.at[k].f.lo;
+    for (int k = 0; k < implicit_recorded; k++) {
+        double x = 200 * ((double)implicit_record[k].p.x + 2);
+        double y = scale * implicit_record[k].f.lo;
         figure_line(g, x, 0, x, y, FIGURE_BLUE, 1, FIGURE_WHOLE);
         figure_dot(g, x, y, k <= implicit_drawn_steps ? 4 : 2, FIGURE_BLUE);
     }
@@ -94,7 +93,7 @@ static inline void implicit_draw_circles(figure *g, const implicit_surface *s)
     figure_origin(g, 460, 432, 200);
     figure_text(g, 2, 0.5, 0, -12, FIGURE_RIGHT, FIGURE_BLACK,
                 "sphere tracing: each circle is free of the surface");
-    implicit_record.n = 0;
+    implicit_recorded = 0;
     if (!implicit_trace_hit(s, r, (real)0.003, 200, &h)) abort();
     double xy[128];
     for (int k = 0; k < 2; k++) {
@@ -104,9 +103,9 @@ static inline void implicit_draw_circles(figure *g, const implicit_surface *s)
         }
         figure_polygon(g, 64, xy, FIGURE_ORANGE, 0.35, FIGURE_BLACK);
     }
-    for (int k = 0; k < implicit_record.n; k++) {
-        double x = (double)implicit_record.at[k].p.x, y = (double)implicit_record.at[k].p.z;
-        double free = 200 * fabs(implicit_record.at[k].f.lo);
+    for (int k = 0; k < implicit_recorded; k++) {
+        double x = (double)implicit_record[k].p.x, y = (double)implicit_record[k].p.z;
+        double free = 200 * fabs(implicit_record[k].f.lo);
         for (int turn = 0; turn < 360; turn += 120)
             figure_arc(g, x, y, free, turn, turn + 120, FIGURE_GREEN, 1.5);
         figure_dot(g, x, y, 2.5, FIGURE_GREEN);
@@ -126,11 +125,11 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
     const double scale = 130, most = 1.06;
     implicit_root root[8];
     implicit_axis(g, 690, 138, "intervals: _f_(_T_) of each piece _T_");
-    implicit_record.n = 0;
+    implicit_recorded = 0;
     int roots = implicit_roots(s, implicit_figure_ray, root, 8);
     for (int turn = 0; turn < 2; turn++)  /* the proven ones in front */
-        for (int k = 0; k < implicit_record.n; k++) {
-            interval T = implicit_record.at[k].T, f = implicit_record.at[k].f;
+        for (int k = 0; k < implicit_recorded; k++) {
+            interval T = implicit_record[k].T, f = implicit_record[k].f;
             bool open = interval_has(f, 0);
             if (open != (turn == 0)) continue;
             double a = 200 * T.lo, b = 200 * T.hi, lo = scale * fmax(f.lo, -0.36);
