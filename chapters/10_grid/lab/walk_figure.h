@@ -46,17 +46,15 @@ static inline void walk_cell(figure *g, size_t c, const char *colour, double opa
 /* The cells that an item touches, and, paler, those that only its bounds overlap. */
 static inline void walk_marks(figure *g, const items *x, const lattice *l)
 {
-    for (int exact = 0; exact < 2; exact++) {
-        marking mark = {x, *l, 1e-4, exact};
-        cell_lists lists;
-        failure why;
-        if (!lists_begin(lattice_cells(l), (size_t)1 << 20, &lists, &why)) fail(why);
-        for (size_t i = 0; i < x->n; i++)
-            if (!lists_count(&lists, &mark, i, 0, &why)) fail(why);
-        for (size_t c = 0; c < lattice_cells(l); c++)
-            if (lists.first[c]) walk_cell(g, c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
-        lists_free(&lists);
-    }
+    for (int exact = 0; exact < 2; exact++)
+        for (int c = 0; c < walk_wide * walk_high; c++) {
+            const int at[3] = {c % walk_wide, c / walk_wide, 0};
+            aabb cell = lattice_box(l, at, at, (real)1e-4);
+            bool marked = false;
+            for (size_t i = 0; i < x->n; i++)
+                marked |= exact ? items_overlap_box(x, i, cell) : items_overlap_bounds(x, i, cell);
+            if (marked) walk_cell(g, (size_t)c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
+        }
 }
 
 /* Walls of x are black, those of y white. */
