@@ -1,7 +1,7 @@
 /* Tests of 02_camera: frames, rays through pixels and back, vanishing points, RTR's frame. */
 #include "check.h"
 #include "../common/headlight.h"
-#include "../chapters/02_camera/lab/oracle.h"
+#include "02_oracle.h"
 #include "../chapters/02_camera/rtr_camera.h"
 #include "../common/random.h"
 

@@ -1,6 +1,6 @@
 /* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view. Nearly along
  * it: test_frames_near_parallel in 02_camera.c. */
-#include "../chapters/02_camera/lab/oracle.h"
+#include "02_oracle.h"
 #include "../chapters/02_camera/samples.h"
 #include "check.h"
 

@@ -845,7 +845,7 @@ static void test_ways(void)
     if (!real_is_float)  /* in float the planes are off by so much that the order is always one */
         check_at_least(csg_wrong(&s[CSG_FAR_AWAY], csg_hit_tolerant, true, n), 2,
                        "a tolerance of 1e-9, far away: speckle");
-    for (int k = 0; k < csg_sights; k++) csg_sight_free(&s[k]);
+    for (int k = 0; k < csg_sights; k++) csg_scene_free(&s[k].scene);
 }
 
 /* ---- strange input ---- */

@@ -239,7 +239,7 @@ static void test_sheet(void)
         vec3 q[4], axis = vunit((vec3){1, 2, 3});
         for (size_t k = 0; k < 4; k++) {
             real u = (real)(i % 4 + (k == 1 || k == 2)) / 2, v = (real)(i / 4 + k / 2) / 2;
-            q[k] = turned_about(axis, 0.6, vec(u - 1, v - 1, 0.3));
+            q[k] = vturned(vec(u - 1, v - 1, 0.3), axis, 0.6);
         }
         set_triangle(&m, 2 * i, q[0], q[1], q[2]);
         set_triangle(&m, 2 * i + 1, q[0], q[2], q[3]);

@@ -14,8 +14,8 @@ int main(int argc, char **argv)
     if (o.quick && o.samples == 9) o.samples = 1;  /* what was asked for stays */
     if (o.quick && o.width == 960 && o.height == 640) o.width = 240, o.height = 160;
     implicit_draw(&o);
-    implicit_draw_roots(&o);
-    if (o.full || o.quick) implicit_draw_missed(&o);
+    if (!o.out) implicit_draw_roots(&o);
+    if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o);
     implicit_measure(&o);
     return output_done(&o);
 }

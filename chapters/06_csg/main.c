@@ -17,7 +17,7 @@ int main(int argc, char **argv)
     csg_scene s = csg_scene_of(text ? text : CSG_CLASSIC);
     csg_draw(&o, &s);
     csg_scene_free(&s);
-    csg_draw_inside(&o), csg_draw_pocket(&o), csg_draw_tree(&o);
+    if (!o.out && !o.own) csg_draw_inside(&o), csg_draw_pocket(&o), csg_draw_tree(&o);
     csg_measure(&o);
     return output_done(&o);
 }

@@ -4,7 +4,7 @@
 
 #include "hard.h"
 #include "../../chapters/01_ray/lab/points.h"
-#include "../../chapters/02_camera/lab/oracle.h"
+#include "../02_oracle.h"
 #include "../../chapters/03_sphere/lab/sphere_survey.h"
 #include "../../chapters/04_triangle/first.h"
 #include "../../chapters/04_triangle/lab/needles.h"
@@ -146,7 +146,7 @@ static inline hard_count solids(int k, real x)
                                  : k >= CSG_COINCIDENT ? csg_hit_points : csg_hit_front;
     double first = csg_wrong(&s, textbook, true, n), now = csg_wrong(&s, csg_hit, false, n);
     (void)x;
-    csg_sight_free(&s);
+    csg_scene_free(&s.scene);
     first = floor(first * n / 100 + 0.5), now = floor(now * n / 100 + 0.5);  /* were percent */
     return (hard_count){n, (size_t)first, (size_t)now};
 }

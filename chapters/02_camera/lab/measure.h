@@ -13,7 +13,6 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "draw.h"
-#include "oracle.h"
 #include "pattern.h"
 
 enum { camera_side = 32, camera_pixels = camera_side * camera_side };
@@ -56,16 +55,17 @@ static inline camera camera_grid(int side)
     return c;
 }
 
-typedef struct { const char *name; filter f; sample_placement how; bool zone; } camera_way;
+typedef struct { const char *name; filter f; sample_placement how; } camera_way;
 static const camera_way camera_ways[] = {
-    {"box jittered", {FILTER_BOX, 0.5, 0}, SAMPLES_JITTERED, false},
-    {"tent jittered", {FILTER_TENT, 1, 0}, SAMPLES_JITTERED, false},
-    {"tent regular", {FILTER_TENT, 1, 0}, SAMPLES_REGULAR, false},
-    {"tent random", {FILTER_TENT, 1, 0}, SAMPLES_RANDOM, false},
-    {"Gaussian random", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_RANDOM, true},
-    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED, true},
-    {"Gaussian regular", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_REGULAR, true}};
-enum { camera_way_count = sizeof camera_ways / sizeof camera_ways[0] };
+    {"box jittered", {FILTER_BOX, 0.5, 0}, SAMPLES_JITTERED},
+    {"tent jittered", {FILTER_TENT, 1, 0}, SAMPLES_JITTERED},
+    {"tent regular", {FILTER_TENT, 1, 0}, SAMPLES_REGULAR},
+    {"tent random", {FILTER_TENT, 1, 0}, SAMPLES_RANDOM},
+    {"Gaussian random", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_RANDOM},
+    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED},
+    {"Gaussian regular", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_REGULAR}};
+/* The first four see a checkerboard, the others a zone plate. */
+enum { camera_way_count = sizeof camera_ways / sizeof camera_ways[0], camera_boards = 4 };
 
 /* Trials with n x n rays a pixel; exact values are found once. */
 static inline void camera_trials(camera_trial m[camera_way_count], int n)
@@ -75,14 +75,15 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
     static double exact[camera_way_count][camera_pixels];
     for (int j = 0; j < camera_way_count; j++) {
         const camera_way *k = &camera_ways[j];
+        bool zone = j >= camera_boards;
         for (int i = 0; i < camera_pixels; i++) {
             double x = i % camera_side + 0.5 - camera_side / 2;
             double y = camera_side / 2 - 0.5 - i / camera_side;
-            exact[j][i] = k->zone ? zone_plate_filtered(x, y, rings.knob, (double)k->f.sigma)
-                                  : checkerboard_filtered(x, y, cells.knob, k->f);
+            exact[j][i] = zone ? zone_plate_filtered(x, y, rings.knob, (double)k->f.sigma)
+                               : checkerboard_filtered(x, y, cells.knob, k->f);
         }
         m[j] = (camera_trial){{.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
-            .seed = 1, .own = k->zone ? &rings : &cells, .nx = camera_side, .ny = camera_side,
+            .seed = 1, .own = zone ? &rings : &cells, .nx = camera_side, .ny = camera_side,
             .see = see_pattern},
             exact[j]};
     }
@@ -92,14 +93,11 @@ static inline void camera_plot_filters(const options *o)
 {
     plot p = plot_new("Checkerboard", "rays a pixel", "rms error [white = 1]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int j = 0; j < camera_way_count; j++) {
-        if (camera_ways[j].zone) continue;
-        int series = plot_series(&p, camera_ways[j].name);
-        for (int n = 1; n <= 32; n *= 2) {
-            camera_trial m[camera_way_count];
-            camera_trials(m, n);
-            plot_add(&p, series, n * n, camera_run_pixels(&m[j]));
-        }
+    for (int j = 0; j < camera_boards; j++) plot_series(&p, camera_ways[j].name);
+    for (int n = 1; n <= 32; n *= 2) {
+        camera_trial m[camera_way_count];
+        camera_trials(m, n);
+        for (int j = 0; j < camera_boards; j++) plot_add(&p, j, n * n, camera_run_pixels(&m[j]));
     }
     plot_slope(&p, -0.5, "slope -1/2");
     plot_slope(&p, -0.75, "slope -3/4");
@@ -109,24 +107,22 @@ static inline void camera_plot_filters(const options *o)
 static inline void camera_measure_filters(const options *o)
 {
     camera_trial m[camera_way_count];
-    bench_candidate v[camera_way_count];
-    double error[3][camera_way_count];
+    double error[3][camera_way_count], ns[camera_way_count];
     const int side[] = {2, 16, 4};  /* the last one is timed */
     for (int k = 0; k < 3; k++) {
         camera_trials(m, side[k]);
         for (int j = 0; j < camera_way_count; j++) error[k][j] = camera_run_pixels(&m[j]);
     }
-    for (int j = 0; j < camera_way_count; j++)
-        v[j] = (bench_candidate){NULL, camera_run_pixels, &m[j], 0, 0};
-    bench_time(v, camera_way_count, o->quick ? 1 : o->full ? 9 : 3);
+    bench_each(camera_run_pixels, m, sizeof *m, camera_way_count, o->quick ? 1 : o->full ? 9 : 3,
+               1e9 / camera_pixels, ns);
     table t = table_new("A pixel of several rays: rms error [white = 1] of 32 x 32, time of one",
                         "pattern|filter, positions|error 4 rays|error 16 rays|error 256 rays|"
                         "time 16 rays [ns]");
     for (int j = 0; j < camera_way_count; j++) {
-        table_text(&t, "%s", camera_ways[j].zone ? "zone plate" : "checkerboard");
+        table_text(&t, "%s", j < camera_boards ? "checkerboard" : "zone plate");
         table_text(&t, "%s", camera_ways[j].name);
         table_number(&t, error[0][j]), table_number(&t, error[2][j]);
-        table_number(&t, error[1][j]), table_number(&t, 1e9 * v[j].seconds / camera_pixels);
+        table_number(&t, error[1][j]), table_number(&t, ns[j]);
     }
     output_table(o, &t);
     if (o->full) camera_plot_filters(o);

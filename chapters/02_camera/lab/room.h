@@ -55,34 +55,26 @@ static inline vec3 room_colour(const camera_room *s, ray r)
     return vmul(squares % 2 ? first->check : first->colour, headlight(axes[first->axis], r.d));
 }
 
-static inline void room_add(camera_room *s, int axis, real at, vec3 low, vec3 high, vec3 colour,
-                            vec3 check, real cell)
-{
-    s->r[s->n++] = (camera_rectangle){axis, at, low, high, colour, check, cell};
-}
-
 /* Six faces, painted darker on the sides, so that edges show where the headlight shows none. */
 static inline void room_block(camera_room *s, vec3 low, vec3 high, vec3 colour, real cell)
 {
     static const real paint[] = {0.55, 0.8, 1};
     for (int k = 0; k < 3; k++) {
         vec3 a = vscale(colour, paint[k]), b = vscale(a, 0.8);
-        room_add(s, k, vaxis(low, k), low, high, a, b, cell);
-        room_add(s, k, vaxis(high, k), low, high, a, b, cell);
+        s->r[s->n++] = (camera_rectangle){k, vaxis(low, k), low, high, a, b, cell};
+        s->r[s->n++] = (camera_rectangle){k, vaxis(high, k), low, high, a, b, cell};
     }
 }
 
 static inline camera_room room_corner(void)
 {
-    camera_room s = {.n = 0};
-    vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {0.8, 0.8, 0.8};
-    vec3 orange = {1, 0.5, 0.08};
-    room_add(&s, 2, 0, o, end, vec(0.85, 0.8, 0.7), vec(0.42, 0.36, 0.3), 0.5);
-    room_add(&s, 0, 0, o, end, vec(0.3, 0.48, 0.75), vec(0.17, 0.3, 0.55), 0.5);
-    room_add(&s, 1, 0, o, end, vec(0.5, 0.72, 0.62), vec(0.3, 0.52, 0.43), 0.5);
+    const vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {0.8, 0.8, 0.8};
+    camera_room s = {{{2, 0, o, end, {0.85, 0.8, 0.7}, {0.42, 0.36, 0.3}, 0.5},
+                      {0, 0, o, end, {0.3, 0.48, 0.75}, {0.17, 0.3, 0.55}, 0.5},
+                      {1, 0, o, end, {0.5, 0.72, 0.62}, {0.3, 0.52, 0.43}, 0.5}}, 3};
     for (int i = 0; i < 3; i++) {  /* three blocks of one size, one behind the other */
         vec3 low = {2, (real)0.5 + (real)1.2 * (real)i, 0};
-        room_block(&s, low, vadd(low, size), orange, 0.4);
+        room_block(&s, low, vadd(low, size), vec(1, 0.5, 0.08), 0.4);
     }
     return s;
 }

@@ -50,20 +50,19 @@ static inline void sphere_time(const options *o, sphere_how how, real far,
         ns[m] = v[m].seconds / (sphere_repeats * sphere_timed) * 1e9;
 }
 
-/* `count` distances from 1e0, 1e1/2, .. (step 1) or every step-th of them; for free(). */
-static inline sphere_surveys *sphere_survey_all(const options *o, int from, int step, int count,
-                                                size_t n)
+/* `count` distances from 1e0, 1e1/2, .. (step 1) or every step-th of them. */
+static inline sphere_surveys sphere_survey_all(const options *o, int from, int step, int count,
+                                               size_t n)
 {
-    sphere_surveys *all = allocate(1, sizeof *all);
-    all->n = o->quick ? 2000 : n, all->seed = o->seed;
-    for (int k = 0; k < count; k++) all->at[k].far = pow((real)10, (real)(from + step * k) / 2);
-    parallel_whole((size_t)count, o->threads, "rays", sphere_survey_at, all);
+    sphere_surveys all = {.n = o->quick ? 2000 : n, .seed = o->seed};
+    for (int k = 0; k < count; k++) all.at[k].far = pow((real)10, (real)(from + step * k) / 2);
+    parallel_whole((size_t)count, o->threads, "rays", sphere_survey_at, &all);
     return all;
 }
 
 static inline void sphere_main_table(const options *o)
 {
-    sphere_surveys *all = sphere_survey_all(o, 4, 4, 3, 20000);  /* 1e2, 1e4, 1e6 R */
+    sphere_surveys all = sphere_survey_all(o, 4, 4, 3, 20000);  /* 1e2, 1e4, 1e6 R */
     double ns[sphere_methods];
     table t = table_new("Ray and sphere: how near the limb rays are misclassified, seen from 1e2 to"
                         " 1e6 R; time of a test",
@@ -72,27 +71,25 @@ static inline void sphere_main_table(const options *o)
     sphere_time(o, SPHERE_ANYWHERE, 100, ns);
     for (int m = 0; m < sphere_methods; m++) {
         table_text(&t, "%s", sphere_method_name[m]);
-        for (int k = 0; k < 3; k++) table_number(&t, all->at[k].of[m].edge);
-        table_number(&t, all->at[2].of[m].grazing_wrong);
+        for (int k = 0; k < 3; k++) table_number(&t, all.at[k].of[m].edge);
+        table_number(&t, all.at[2].of[m].grazing_wrong);
         table_number(&t, ns[m]);
     }
     output_table(o, &t);
-    free(all);
 }
 
 static inline void sphere_plot_edge(const options *o)
 {
-    sphere_surveys *all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
+    sphere_surveys all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
     plot p = plot_new("How near the limb a ray is misclassified", "distance [R]", "edge [R]",
                       PLOT_LOG_X | PLOT_LOG_Y);
     for (int m = 0; m < sphere_methods; m++) {
         int series = plot_series(&p, sphere_method_name[m]);
         for (int k = 0; k < sphere_distances; k++)
-            plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
+            plot_add(&p, series, (double)all.at[k].far, all.at[k].of[m].edge);
     }
     plot_slope(&p, 2, "slope 2");
     output_plot(o, &p, "03_sphere_edge.svg");
-    free(all);
 }
 
 /* Of n rays, those whose D sphere_roots computes a second time. */

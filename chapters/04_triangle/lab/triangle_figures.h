@@ -69,16 +69,6 @@ static inline void triangle_draw_areas(const options *o)
     figure_end(&g);
 }
 
-/* An edge as the watertight test sees it, and the value of its edge function beside it. */
-static inline void figure_edge(figure *g, vec3 from, vec3 to, real value, double right,
-                               double down, const char *where, const char *colour,
-                               const char *name)
-{
-    figure_arrow(g, (double)from.x, (double)from.y, (double)to.x, (double)to.y, colour, 1.5);
-    figure_print(g, (double)(from.x + to.x) / 2, (double)(from.y + to.y) / 2, right, down, where,
-                  colour, "%s%s%.2f", name, value < 0 ? "\u2212" : "+", fabs((double)value));
-}
-
 static inline void triangle_draw_edges(const options *o)
 {
     /* The ray begins in the origin, and goes down the z axis, a little askew. */
@@ -86,35 +76,43 @@ static inline void triangle_draw_edges(const options *o)
     const vec3 corner[4] = {vec(0.78, -1.35, -3), vec(0.95, 0.6, -2.6), vec(-1.2, -0.4, -3.2),
                             vec(2.55, -0.75, -3)};  /* a, b, c of the left; the right's third */
     const int of[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    static const struct { double right, down; const char *where, *text; }
+        corner_name[4] = {{4, 20, FIGURE_MIDDLE, "*a*"}, {4, -9, FIGURE_MIDDLE, "*b*"},
+                          {-10, 5, FIGURE_RIGHT, "*c*"}, {10, 5, FIGURE_LEFT, "*c*\u2032"}},
+        edge_name[2][3] = {{{-10, 46, FIGURE_RIGHT, "_E_(*a*, *b*) = "},
+                            {-6, -10, FIGURE_MIDDLE, ""}, {-6, 22, FIGURE_MIDDLE, ""}},
+                           {{10, -12, FIGURE_LEFT, "_E_(*b*, *a*) = "},
+                            {0, 22, FIGURE_MIDDLE, ""}, {20, -10, FIGURE_MIDDLE, ""}}};
     figure g = figure_begin(o, "04_triangle_edges.svg", 820, 420);
     ray_shear s = shear_of(r);
     for (int k = 0; k < 2; k++) {
+        const triangle t = {corner[of[k][0]], corner[of[k][1]], corner[of[k][2]]};
+        const char *colour = k ? FIGURE_RED : FIGURE_BLUE;
+        double x[3], y[3];
         vec3 v[3];
         hit h;
-        const char *colour = k ? FIGURE_RED : FIGURE_BLUE;
-        for (int i = 0; i < 3; i++) v[i] = shear_corner(&corner[of[k][i]], &s);
-        const triangle t = {corner[of[k][0]], corner[of[k][1]], corner[of[k][2]]};
-        const real e[3] = {v[0].x * v[1].y - v[0].y * v[1].x, v[1].x * v[2].y - v[1].y * v[2].x,
-                           v[2].x * v[0].y - v[2].y * v[0].x};
-        const double xy[] = {(double)v[0].x, (double)v[0].y, (double)v[1].x, (double)v[1].y,
-                             (double)v[2].x, (double)v[2].y};
+        for (int i = 0; i < 3; i++) {
+            v[i] = shear_corner(&corner[of[k][i]], &s);
+            x[i] = (double)v[i].x, y[i] = (double)v[i].y;
+        }
         figure_origin(&g, k ? 404 : 396, 190, 150);  /* a little apart */
+        const double xy[] = {x[0], y[0], x[1], y[1], x[2], y[2]};
         figure_polygon(&g, 3, xy, colour, 0.15, NULL);
-        figure_edge(&g, v[0], v[1], e[0], k ? 10 : -10, k ? -12 : 46,
-                    k ? FIGURE_LEFT : FIGURE_RIGHT, colour,
-                    k ? "_E_(*b*, *a*) = " : "_E_(*a*, *b*) = ");
-        figure_edge(&g, v[1], v[2], e[1], k ? 0 : -6, k ? 22 : -10, FIGURE_MIDDLE, colour, "");
-        figure_edge(&g, v[2], v[0], e[2], k ? 20 : -6, k ? -10 : 22, FIGURE_MIDDLE, colour, "");
-        figure_text(&g, (xy[0] + xy[2] + xy[4]) / 3, (xy[1] + xy[3] + xy[5]) / 3, k ? 20 : -40,
+        for (int i = 0, j = 1; i < 3; i++, j = (i + 1) % 3) {
+            real e = v[i].x * v[j].y - v[i].y * v[j].x;                             /* (4.10) */
+            figure_arrow(&g, x[i], y[i], x[j], y[j], colour, 1.5);
+            figure_print(&g, (x[i] + x[j]) / 2, (y[i] + y[j]) / 2, edge_name[k][i].right,
+                         edge_name[k][i].down, edge_name[k][i].where, colour, "%s%s%.2f",
+                         edge_name[k][i].text, e < 0 ? "\u2212" : "+", fabs((double)e));
+        }
+        figure_text(&g, (x[0] + x[1] + x[2]) / 3, (y[0] + y[1] + y[2]) / 3, k ? 20 : -40,
                     k ? 12 : 10, FIGURE_MIDDLE, colour, triangle_hit(t, r, &h) ? "one sign: hit"
                                                                   : "two signs: no hit");
-        if (k) {
-            figure_text(&g, xy[4], xy[5], 10, 5, FIGURE_LEFT, FIGURE_BLACK, "*c*\u2032");
-            continue;
+        for (int i = k ? 2 : 0; i < 3; i++) {
+            int c = of[k][i];
+            figure_text(&g, x[i], y[i], corner_name[c].right, corner_name[c].down,
+                        corner_name[c].where, FIGURE_BLACK, corner_name[c].text);
         }
-        figure_text(&g, xy[0], xy[1], 4, 20, FIGURE_MIDDLE, FIGURE_BLACK, "*a*");
-        figure_text(&g, xy[2], xy[3], 4, -9, FIGURE_MIDDLE, FIGURE_BLACK, "*b*");
-        figure_text(&g, xy[4], xy[5], -10, 5, FIGURE_RIGHT, FIGURE_BLACK, "*c*");
     }
     figure_origin(&g, 400, 190, 150);
     figure_dot(&g, 0, 0, 5, FIGURE_BLACK);

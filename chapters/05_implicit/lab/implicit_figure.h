@@ -15,54 +15,32 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { implicit_most_asked = 400, implicit_drawn_steps = 10 };
-typedef struct {
-    implicit_subject u;
-    int n;
-    vec3 p[implicit_most_asked];         /* where f was asked for */
-    interval T[implicit_most_asked], f[implicit_most_asked];
-} implicit_asked_for;
+typedef struct { vec3 p; interval T, f; } implicit_answer;  /* at p, or over T: f */
+static implicit_answer implicit_record[implicit_most_asked];  /* one drawing at a time */
+static int implicit_recorded;
 
-static implicit_asked_for implicit_record;  /* one drawing at a time */
+/* In the plane y = 0, 0.25 above the middle of the left tube, whose radius is 0.3. */
+static const ray implicit_figure_ray = {{-2, 0, (real)0.33}, 0, {1, 0, (real)-0.08}, 4};
 
-static real implicit_recorded_f(const void *data, vec3 p)
+static inline void implicit_keep(implicit_answer a)
 {
-    implicit_asked_for *a = &implicit_record;
-    (void)data;
-    if (a->n < implicit_most_asked) a->p[a->n++] = p;
-    return implicit_value(&a->u.s, p);
+    if (implicit_recorded < implicit_most_asked) implicit_record[implicit_recorded++] = a;
+}
+
+static real implicit_recorded_f(const void *ring, vec3 p)
+{
+    real f = implicit_torus_distance_f(ring, p);
+    implicit_keep((implicit_answer){.p = p, .f = interval_at((double)f)});
+    return f;
 }
 
 /* The ray begins at x = -2 with d.x = 1: T is x + 2. */
-static jet implicit_recorded_range(const void *data, jet x, jet y, jet z)
+static jet implicit_recorded_range(const void *ring, jet x, jet y, jet z)
 {
-    implicit_asked_for *a = &implicit_record;
-    jet J = a->u.s.range(a->u.s.data, x, y, z);
-    (void)data;
-    if (a->n < implicit_most_asked && interval_width(x.v) > 1e-6) {
-        a->T[a->n] = interval_add(x.v, interval_at(2));
-        a->f[a->n++] = J.v;
-    }
+    jet J = implicit_torus_distance_range(ring, x, y, z);
+    if (interval_width(x.v) > 1e-6)
+        implicit_keep((implicit_answer){.T = interval_add(x.v, interval_at(2)), .f = J.v});
     return J;
-}
-
-static inline implicit_surface implicit_recorder(void)
-{
-    implicit_record.u = implicit_subject_of(IMPLICIT_TUBE);
-    implicit_record.n = 0;
-    implicit_surface s = implicit_record.u.s;
-    s.f = implicit_recorded_f, s.range = implicit_recorded_range;
-    return s;
-}
-
-/* In the plane y = 0, 0.25 above the middle of the left tube, whose radius is 0.3. */
-static inline ray implicit_figure_ray(void)
-{
-    return (ray){{-2, 0, (real)0.33}, 0, {1, 0, (real)-0.08}, 4};
-}
-
-static inline double implicit_figure_f(double t)
-{
-    return (double)implicit_value(&implicit_record.u.s, ray_at(implicit_figure_ray(), (real)t));
 }
 
 /* Panels: t from 60 to 860 pixels, the line f = 0, and what it is. */
@@ -76,9 +54,12 @@ static inline void implicit_axis(figure *g, double y, double scale, const char *
 
 static inline void implicit_curve(figure *g, double scale, const char *colour, double width)
 {
-    for (int k = 0; k < 400; k++) {
-        double a = implicit_figure_f(k / 100.0), b = implicit_figure_f((k + 1) / 100.0);
-        figure_line(g, 2 * k, scale * a, 2 * k + 2, scale * b, colour, width, FIGURE_WHOLE);
+    double last = 0;
+    for (int k = 0; k <= 400; k++) {
+        vec3 p = ray_at(implicit_figure_ray, (real)(k / 100.0));
+        double f = scale * (double)implicit_torus_distance_f(&implicit_tube, p);
+        if (k) figure_line(g, 2 * k - 2, last, 2 * k, f, colour, width, FIGURE_WHOLE);
+        last = f;
     }
 }
 
@@ -86,15 +67,15 @@ static inline void implicit_draw_steps(figure *g, const implicit_surface *s)
 {
     const double scale = 130;
     hit h = hit_none;
-    ray r = implicit_figure_ray();
     implicit_axis(g, 160, 130, "fixed steps: _f_ at _t_~k~, until its sign changes");
     implicit_curve(g, scale, FIGURE_SKY, 2);
     implicit_asked = s;
-    implicit_record.n = 0;
-    if (!first_implicit_hit(implicit_asked_value, r, implicit_drawn_steps, &h)) abort();
-    for (int k = 0; k < implicit_record.n; k++) {
-        double x = 200 * ((double)implicit_record.p[k].x + 2);
-        double y = scale * (double)implicit_value(&implicit_record.u.s, implicit_record.p[k]);
+    implicit_recorded = 0;
+    if (!first_implicit_hit(implicit_asked_value, implicit_figure_ray, implicit_drawn_steps, &h))
+        abort();
+    for (int k = 0; k < implicit_recorded; k++) {
+        double x = 200 * ((double)implicit_record[k].p.x + 2);
+        double y = scale * implicit_record[k].f.lo;
         figure_line(g, x, 0, x, y, FIGURE_BLUE, 1, FIGURE_WHOLE);
         figure_dot(g, x, y, k <= implicit_drawn_steps ? 4 : 2, FIGURE_BLUE);
     }
@@ -105,20 +86,14 @@ static inline void implicit_draw_steps(figure *g, const implicit_surface *s)
     figure_text(g, 200, -45, 0, 14, FIGURE_MIDDLE, FIGURE_RED, "two roots, no step between them");
 }
 
-static inline void implicit_disc(figure *g, double x, double y, double radius, const char *colour,
-                                 double width)
-{
-    for (int k = 0; k < 3; k++) figure_arc(g, x, y, radius, 120 * k, 120 * k + 120, colour, width);
-}
-
 static inline void implicit_draw_circles(figure *g, const implicit_surface *s)
 {
     hit h = hit_none;
-    ray r = implicit_figure_ray();
+    ray r = implicit_figure_ray;
     figure_origin(g, 460, 432, 200);
     figure_text(g, 2, 0.5, 0, -12, FIGURE_RIGHT, FIGURE_BLACK,
                 "sphere tracing: each circle is free of the surface");
-    implicit_record.n = 0;
+    implicit_recorded = 0;
     if (!implicit_trace_hit(s, r, (real)0.003, 200, &h)) abort();
     double xy[128];
     for (int k = 0; k < 2; k++) {
@@ -128,11 +103,12 @@ static inline void implicit_draw_circles(figure *g, const implicit_surface *s)
         }
         figure_polygon(g, 64, xy, FIGURE_ORANGE, 0.35, FIGURE_BLACK);
     }
-    for (int k = 0; k < implicit_record.n; k++) {
-        vec3 p = implicit_record.p[k];
-        double free = fabs((double)implicit_value(&implicit_record.u.s, p));
-        implicit_disc(g, (double)p.x, (double)p.z, 200 * free, FIGURE_GREEN, 1.5);
-        figure_dot(g, (double)p.x, (double)p.z, 2.5, FIGURE_GREEN);
+    for (int k = 0; k < implicit_recorded; k++) {
+        double x = (double)implicit_record[k].p.x, y = (double)implicit_record[k].p.z;
+        double free = 200 * fabs(implicit_record[k].f.lo);
+        for (int turn = 0; turn < 360; turn += 120)
+            figure_arc(g, x, y, free, turn, turn + 120, FIGURE_GREEN, 1.5);
+        figure_dot(g, x, y, 2.5, FIGURE_GREEN);
     }
     vec3 from = r.o, to = ray_at(r, 4), at = ray_at(r, h.t);
     figure_arrow(g, (double)from.x, (double)from.z, (double)to.x, (double)to.z, FIGURE_BLUE, 1.5);
@@ -149,11 +125,11 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
     const double scale = 130, most = 1.06;
     implicit_root root[8];
     implicit_axis(g, 690, 138, "intervals: _f_(_T_) of each piece _T_");
-    implicit_record.n = 0;
-    int roots = implicit_roots(s, implicit_figure_ray(), root, 8);
+    implicit_recorded = 0;
+    int roots = implicit_roots(s, implicit_figure_ray, root, 8);
     for (int turn = 0; turn < 2; turn++)  /* the proven ones in front */
-        for (int k = 0; k < implicit_record.n; k++) {
-            interval T = implicit_record.T[k], f = implicit_record.f[k];
+        for (int k = 0; k < implicit_recorded; k++) {
+            interval T = implicit_record[k].T, f = implicit_record[k].f;
             bool open = interval_has(f, 0);
             if (open != (turn == 0)) continue;
             double a = 200 * T.lo, b = 200 * T.hi, lo = scale * fmax(f.lo, -0.36);
@@ -173,8 +149,9 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
 
 static inline void implicit_draw_roots(const options *o)
 {
-    if (o->out) return;
-    implicit_surface s = implicit_recorder(), all = s;
+    implicit_surface s = implicit_torus_distance(&implicit_tube);
+    s.f = implicit_recorded_f, s.range = implicit_recorded_range;
+    implicit_surface all = s;
     all.ball.r = (real)2.5;  /* all begin at o, not where the ray enters the ball */
     figure g = figure_begin(o, "05_implicit_roots.svg", 920, 770);
     implicit_draw_steps(&g, &s);

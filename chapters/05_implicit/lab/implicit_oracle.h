@@ -56,33 +56,33 @@ static inline wide implicit_poly_at(const implicit_poly *p, double x)
     return y;
 }
 
-/* The squares of the three coordinates of o + (at + x) d. */
-static inline void implicit_poly_squares(ray r, double at, implicit_poly q[3])
+/* The squares of the three coordinates of o + (at + x) d, and their sum. */
+static inline void implicit_poly_squares(ray r, double at, implicit_poly q[4])
 {
     for (int k = 0; k < 3; k++) {
         double o = (double)vaxis(r.o, k), d = (double)vaxis(r.d, k);
         wide c0 = wide_add(wide_of(o), wide_product(at, d));
         implicit_poly x = {1, {c0, wide_of(d)}};
         q[k] = implicit_poly_mul(x, x);
+        q[3] = k ? implicit_poly_add(q[3], q[k], wide_of(1)) : q[0];
     }
 }
 
 static inline implicit_poly implicit_poly_sphere(real R, ray r, double at)
 {
-    implicit_poly q[3], one = implicit_poly_number(wide_product((double)R, (double)R));
+    implicit_poly q[4], RR = implicit_poly_number(wide_product((double)R, (double)R));
     implicit_poly_squares(r, at, q);
-    implicit_poly sum = implicit_poly_add(q[0], q[1], wide_of(1));
-    return implicit_poly_add(implicit_poly_add(sum, q[2], wide_of(1)), one, wide_of(-1));
+    return implicit_poly_add(q[3], RR, wide_of(-1));
 }
 
 static inline implicit_poly implicit_poly_torus(implicit_ring k, ray r, double at)
 {
-    implicit_poly q[3];
+    implicit_poly q[4];
     wide RR = wide_product((double)k.R, (double)k.R), rr = wide_product((double)k.r, (double)k.r);
     implicit_poly_squares(r, at, q);
     implicit_poly flat = implicit_poly_add(q[0], q[1], wide_of(1));
-    implicit_poly u = implicit_poly_add(flat, q[2], wide_of(1));
-    u = implicit_poly_add(u, implicit_poly_number(wide_sub(RR, rr)), wide_of(1));
+    implicit_poly number = implicit_poly_number(wide_sub(RR, rr));
+    implicit_poly u = implicit_poly_add(q[3], number, wide_of(1));
     return implicit_poly_add(implicit_poly_mul(u, u), flat, wide_mul(wide_of(-4), RR));
 }
 
@@ -90,14 +90,13 @@ static inline implicit_poly implicit_poly_torus(implicit_ring k, ray r, double a
 static inline implicit_poly implicit_poly_barth(ray r, double at)
 {
     const double g = implicit_golden, a = g * g, last = 1 + 2 * g;
-    implicit_poly q[3], factor = implicit_poly_number(wide_of(4)), s;
+    implicit_poly q[4], factor = implicit_poly_number(wide_of(4));
     implicit_poly_squares(r, at, q);
     for (int k = 0; k < 3; k++) {
         implicit_poly big = implicit_poly_mul(q[k], implicit_poly_number(wide_of(a)));
         factor = implicit_poly_mul(factor, implicit_poly_add(big, q[(k + 1) % 3], wide_of(-1)));
     }
-    s = implicit_poly_add(implicit_poly_add(q[0], q[1], wide_of(1)), q[2], wide_of(1));
-    s = implicit_poly_add(s, implicit_poly_number(wide_of(1)), wide_of(-1));
+    implicit_poly s = implicit_poly_add(q[3], implicit_poly_number(wide_of(1)), wide_of(-1));
     return implicit_poly_add(factor, implicit_poly_mul(s, s), wide_of(-last));
 }
 

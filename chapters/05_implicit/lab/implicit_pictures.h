@@ -17,10 +17,12 @@
 #include "implicit_trials.h"
 
 typedef struct {
-    implicit_subject u;
+    implicit_surface s;
     implicit_how how;
+    bool judge;          /* against implicit_hit: red where the first root is missed */
     camera c;
-    bool judge;   /* against implicit_hit: red where the first root is missed */
+    const image *plain;  /* of one ray a pixel; NULL: not drawn yet */
+    int width, height;
 } implicit_view;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -28,17 +30,13 @@ typedef struct {
 static const vec3 implicit_red = {0.8, 0.04, 0.02};
 static const implicit_how implicit_sure = {IMPLICIT_INTERVAL, 0, 0};
 
-/* At `target`, from so many radii of the ball, the eye turned around the vertical, and raised; all
- * angles in degrees. */
-static inline implicit_view implicit_view_at(implicit_subject u, implicit_how how, vec3 target,
-                                             real far, real angle, real turn, real rise)
+/* At `target`, from so far away, the eye turned around the vertical, and raised; all angles in
+ * degrees. */
+static inline camera implicit_camera(vec3 target, real far, real angle, real turn, real rise)
 {
-    implicit_view v = {.u = u, .how = how};
     real a = turn * pi / 180, b = rise * pi / 180;
-    vec3 from = {sin(a) * cos(b), sin(b), cos(a) * cos(b)}, up = {0, cos(b) > 0 ? 1 : -1, 0};
-    vec3 e = vmadd(target, from, far * u.s.ball.r);
-    v.c = camera_at(e, target, up, angle, 1);
-    return v;
+    vec3 from = {sin(a) * cos(b), sin(b), cos(a) * cos(b)};
+    return camera_at(vmadd(target, from, far), target, vec(0, 1, 0), angle, 1);
 }
 
 /* White paper in the middle, a little darker around. */
@@ -53,7 +51,7 @@ static inline real implicit_lit(vec3 n, vec3 light) { return real_max(0, vdot(n,
 /* A warm lamp on the left above the eye, a cool one on the right, the sky, and a gleam. */
 static inline vec3 implicit_shade(const implicit_view *v, ray r, hit h)
 {
-    vec3 p = ray_at(r, h.t), n = implicit_normal(&v->u.s, p), d = vunit(r.d);
+    vec3 p = ray_at(r, h.t), n = implicit_normal(&v->s, p), d = vunit(r.d);
     bool outside = vdot(n, d) <= 0;
     if (!outside) n = vneg(n);
     vec3 base = outside ? vec(1, 0.47, 0.07) : vec(0.05, 0.3, 0.7);
@@ -71,10 +69,10 @@ static inline vec3 implicit_shade(const implicit_view *v, ray r, hit h)
 static inline vec3 implicit_colour(const implicit_view *v, ray r)
 {
     hit h = hit_none, due = hit_none;
-    bool is = implicit_method_hit(v->how, &v->u.s, r, &h);
+    bool is = implicit_method_hit(v->how, &v->s, r, &h);
     if (v->judge) {
-        bool there = implicit_hit(&v->u.s, r, &due);
-        real near = (real)1e-3 * v->u.s.ball.r / vlength(r.d);
+        bool there = implicit_hit(&v->s, r, &due);
+        real near = (real)1e-3 * v->s.ball.r / vlength(r.d);
         if (there && (!is || h.t > due.t + near)) return implicit_red;
     }
     return is ? implicit_shade(v, r, h) : implicit_paper(r, v->c);
@@ -93,31 +91,29 @@ static inline bool implicit_differs(const image *im, int x, int y)
     return false;
 }
 
-typedef struct { const implicit_view *v; const image *im, *plain; } implicit_frame;
-
-/* Of `plain`, the picture of one ray a pixel, what needs no more rays. Square pixels: the window of
- * the camera covers the shorter side. */
+/* Of `plain` what needs no more rays. Square pixels: the window of the camera covers the shorter
+ * side. */
 static vec3 implicit_pixel(const void *context, real x, real y)
 {
-    const implicit_frame *f = context;
-    int w = f->im->width, h = f->im->height, least = w < h ? w : h;
-    if (f->plain && !implicit_differs(f->plain, (int)x, (int)y))
-        return image_get(f->plain, (int)x, (int)y);
-    return implicit_colour(f->v, camera_ray(f->v->c, x - (real)(w - least) / 2,
-                                            y - (real)(h - least) / 2, least, least));
+    const implicit_view *v = context;
+    int w = v->width, h = v->height, least = w < h ? w : h;
+    if (v->plain && !implicit_differs(v->plain, (int)x, (int)y))
+        return image_get(v->plain, (int)x, (int)y);
+    return implicit_colour(v, camera_ray(v->c, x - (real)(w - least) / 2,
+                                         y - (real)(h - least) / 2, least, least));
 }
 
-static inline bool implicit_render(const implicit_view *v, int samples, int threads, image *im)
+static inline bool implicit_render(implicit_view v, int samples, int threads, image *im)
 {
-    implicit_frame f = {v, im, NULL};
     int side = 1;
     while ((side + 1) * (side + 1) <= samples) side++;
-    bool whole = pixels_draw(im, 1, threads, "surface", implicit_pixel, &f);
+    v.width = im->width, v.height = im->height;
+    bool whole = pixels_draw(im, 1, threads, "surface", implicit_pixel, &v);
     if (side == 1 || !whole) return whole;
     image plain = image_new(im->width, im->height);
     image_place(&plain, 0, 0, im);
-    f.plain = &plain;
-    whole = pixels_draw(im, side, threads, "edges", implicit_pixel, &f);
+    v.plain = &plain;
+    whole = pixels_draw(im, side, threads, "edges", implicit_pixel, &v);
     image_free(&plain);
     return whole;
 }
@@ -125,9 +121,9 @@ static inline bool implicit_render(const implicit_view *v, int samples, int thre
 static inline void implicit_draw(const options *o)
 {
     image im = image_new(o->width, o->height);
-    implicit_view v = implicit_view_at(implicit_subject_of(IMPLICIT_BARTH), implicit_sure,
-                                       vec(0, 0, 0), (real)3.6, (real)31.5, 22, 20);
-    bool whole = implicit_render(&v, o->samples, o->threads, &im);
+    implicit_view v = {.s = implicit_barth(&implicit_barth_radius), .how = implicit_sure};
+    v.c = implicit_camera(vec(0, 0, 0), (real)3.6 * v.s.ball.r, (real)31.5, 22, 20);
+    bool whole = implicit_render(v, o->samples, o->threads, &im);
     output_picture(o, &im, "05_implicit.png", true, whole);
     image_free(&im);
 }
@@ -136,18 +132,15 @@ static inline void implicit_draw(const options *o)
 static inline void implicit_draw_missed(const options *o)
 {
     static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
-    const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, implicit_sure};
+    implicit_view v = {.s = implicit_barth(&implicit_barth_radius)};
     enum { gap = 6, width = 477 };
-    if (o->out) return;
-    image sheet = label_sheet(2 * width + gap, o->quick ? 60 : 316);
-    image one = image_new(width, sheet.height);
+    image sheet = {0}, one = image_new(width, o->quick ? 60 : 316);
     bool whole = true;
+    v.c = implicit_camera(vec(0.3, 0.62, 1.2), (real)2.2 * v.s.ball.r, 14, 12, 18);
     for (int k = 0; k < 2 && whole; k++) {
-        implicit_view v = implicit_view_at(implicit_subject_of(IMPLICIT_BARTH), how[k],
-                                           vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
-        v.judge = k == 0;
-        whole = implicit_render(&v, o->samples < 4 ? o->samples : 4, o->threads, &one);
-        image_place(&sheet, k * (width + gap), 0, &one);
+        v.how = k ? implicit_sure : (implicit_how){IMPLICIT_FIRST, 24, 0}, v.judge = k == 0;
+        whole = implicit_render(v, o->samples < 4 ? o->samples : 4, o->threads, &one);
+        label_panel(&sheet, 2, 1, gap, k, &one);
     }
     label_titles(&sheet, 2, 1, gap, title);
     output_picture(o, &sheet, "05_implicit_missed.png", false, whole);

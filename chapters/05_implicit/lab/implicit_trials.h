@@ -47,19 +47,14 @@ static implicit_pair implicit_melted;
 
 static inline implicit_subject implicit_subject_of(implicit_name name)
 {
-    switch (name) {
-    case IMPLICIT_SPHERE: return (implicit_subject){name, implicit_sphere(&implicit_radius)};
-    case IMPLICIT_TORUS: return (implicit_subject){name, implicit_torus(&implicit_tube)};
-    case IMPLICIT_TUBE: return (implicit_subject){name, implicit_torus_distance(&implicit_tube)};
-    case IMPLICIT_BARTH: return (implicit_subject){name, implicit_barth(&implicit_barth_radius)};
-    case IMPLICIT_GYROID: return (implicit_subject){name, implicit_gyroid(&implicit_cut)};
-    case IMPLICIT_BOX: return (implicit_subject){name, implicit_box(&implicit_brick)};
-    case IMPLICIT_BLEND:
-    case implicit_names: break;
-    }
     implicit_melted = (implicit_pair){implicit_box(&implicit_brick), implicit_ball(&implicit_knob),
                                       (real)0.3};
-    return (implicit_subject){IMPLICIT_BLEND, implicit_blend(&implicit_melted)};
+    const implicit_surface all[implicit_names] = {
+        implicit_sphere(&implicit_radius), implicit_torus(&implicit_tube),
+        implicit_torus_distance(&implicit_tube), implicit_barth(&implicit_barth_radius),
+        implicit_gyroid(&implicit_cut), implicit_box(&implicit_brick),
+        implicit_blend(&implicit_melted)};
+    return (implicit_subject){name, all[name]};
 }
 
 static inline vec3 implicit_random_direction(random_stream *s)

@@ -80,16 +80,17 @@ static inline void csg_draw(const options *o, const csg_scene *scene)
 
 typedef struct { const csg_scene *scene; csg_hit_function *X_hit; first_camera camera; } csg_panel;
 
+static const vec3 csg_inner = {0.45, 0.42, 0.45}, csg_nothing = {0.86, 0.89, 0.93};
+
 /* Lit by the eye; grey where the surface turns its inner side to us, as from within a solid. */
 static vec3 csg_panel_colour(const void *context, real x, real y)
 {
     const csg_panel *p = context;
     ray r = first_camera_ray(p->camera, x, y);
     hit h;
-    if (!p->X_hit(&p->scene->c, r, &h)) return vec(0.86, 0.89, 0.93);
+    if (!p->X_hit(&p->scene->c, r, &h)) return csg_nothing;
     vec3 n = csg_normal(&p->scene->c, r, h);
-    bool from_inside = vdot(n, r.d) > 0;
-    vec3 paint = from_inside ? vec(0.45, 0.42, 0.45) : csg_scene_colour(p->scene, h);
+    vec3 paint = vdot(n, r.d) > 0 ? csg_inner : csg_scene_colour(p->scene, h);
     return vscale(paint, (real)0.22 + (real)0.78 * headlight(n, r.d).x);
 }
 
@@ -98,10 +99,8 @@ static inline void csg_draw_inside(const options *o)
     static const char *const title[6] = {
         "t > 0: the eye outside", "t > 0: the eye in a hole", "t > 0: the eye in the solid",
         "all hits: outside", "all hits: in a hole", "all hits: in the solid"};
-    static const struct { vec3 colour; const char *name; } key[] = {
-        {{0.72, 0.10, 0.06}, "ball"}, {{0.05, 0.20, 0.62}, "cube"}, {{0.10, 0.50, 0.22}, "hole"},
-        {{0.85, 0.50, 0.04}, "hole"}, {{0.05, 0.48, 0.50}, "hole"},
-        {{0.45, 0.42, 0.45}, "seen from within the solid"}, {{0.86, 0.89, 0.93}, "nothing"}};
+    static const char *const key[7] = {"ball", "cube", "hole", "hole", "hole",
+                                       "seen from within the solid", "nothing"};
     enum { w = 312, h = 250 };
     const vec3 up = vec(0, 1, 0);
     const first_camera eye[3] = {
@@ -111,7 +110,6 @@ static inline void csg_draw_inside(const options *o)
     csg_panel of[6];
     panel p[6];
     bool whole;
-    if (o->out || o->own) return;
     csg_scene s = csg_scene_of(CSG_CLASSIC);
     for (int k = 0; k < 6; k++) {
         of[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, eye[k % 3]};
@@ -122,8 +120,8 @@ static inline void csg_draw_inside(const options *o)
     label_below(&sheet, 34);
     for (int k = 0; k < 7; k++) {
         int x = 20 + 104 * k + 214 * (k == 6), y = sheet.height - 26;
-        label_fill(&sheet, x, y, 18, 18, key[k].colour);
-        label_text(&sheet, x + 26, y + 14, 10, 0, vec(0, 0, 0), key[k].name);
+        label_fill(&sheet, x, y, 18, 18, k < 5 ? csg_paint[k] : k < 6 ? csg_inner : csg_nothing);
+        label_text(&sheet, x + 26, y + 14, 10, 0, vec(0, 0, 0), key[k]);
     }
     output_picture(o, &sheet, "06_csg_inside.png", false, whole);
     image_free(&sheet), csg_scene_free(&s);
@@ -138,7 +136,6 @@ static bool csg_hit_coarse(const csg *c, ray r, hit *out)
 static inline void csg_draw_pocket(const options *o)
 {
     enum { w = 312, h = 300 };
-    if (o->out || o->own) return;
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
     const first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0),
                                            42, w, h);

@@ -59,10 +59,11 @@ static inline void csg_main_table(const options *o)
     csg_timing x[csg_methods];
     double ns[csg_methods];
     for (int k = 0; k < 5; k++) y.sight[k] = csg_sight_of(shown[k], o->seed);
+    csg c = y.sight[0].scene.c, bare = c;
+    bare.no_bounds = true;
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m < csg_methods - 1 ? &y.sight[0].bare : &y.sight[0].scene.c, m, r,
-                            csg_timed};
+        x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, m, r, csg_timed};
     bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
@@ -75,19 +76,18 @@ static inline void csg_main_table(const options *o)
         for (int k = 0; k < 5; k++) table_number(&t, cell[k]);
     }
     output_table(o, &t);
-    for (int k = 0; k < 5; k++) csg_sight_free(&y.sight[k]);
+    for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
 }
 
 /* ---- what bounds save ---- */
 
-/* n balls [a power of two] in a cube, in pairs of pairs; the caller frees both arrays. The bits of
- * i halve the cube along x, y, z in turn, chance does the rest: neighbours in number are neighbours
- * in space, and the bounds of pairs of pairs are small. */
-static inline csg_model csg_balls(size_t n)
+/* n balls [a power of two] in a cube, in pairs of pairs. The bits of i halve the cube along x, y, z
+ * in turn, chance does the rest: neighbours in number are neighbours in space, and the bounds of
+ * pairs of pairs are small. */
+static inline csg_expression csg_balls(size_t n)
 {
-    csg_solid *s = allocate(n, sizeof *s);
-    csg_step *step = allocate(2 * n, sizeof *step);
-    size_t steps = 0;
+    csg_expression e = {.solids = n};
+    e.solid = allocate(n, sizeof *e.solid), e.step = allocate(2 * n, sizeof *e.step);
     for (size_t i = 0; i < n; i++) {
         random_stream x = random_start(7, i, 0);
         vec3 at = {0, 0, 0}, half = {1, 1, 1};
@@ -96,12 +96,12 @@ static inline csg_model csg_balls(size_t n)
             real h = vaxis(half, k) / 2;
             half = vwith(half, k, h), at = vwith(at, k, vaxis(at, k) + (i & bit ? h : -h));
         }
-        s[i] = csg_sphere(vadd(at, vmul(half, random_in_cube(&x, 1))),
-                          pow((real)n, (real)(-1 / 3.0)) / 2);
-        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)i};
-        for (size_t j = i + 1; j % 2 == 0; j /= 2) step[steps++].what = CSG_UNION;
+        e.solid[i] = csg_sphere(vadd(at, vmul(half, random_in_cube(&x, 1))),
+                                pow((real)n, (real)(-1 / 3.0)) / 2);
+        e.step[e.steps++] = (csg_step){CSG_SOLID, (uint32_t)i};
+        for (size_t j = i + 1; j % 2 == 0; j /= 2) e.step[e.steps++].what = CSG_UNION;
     }
-    return (csg_model){s, n, step, steps};
+    return e;
 }
 
 /* Rays from around (1, 1.5, 4) to the cube of side 2; without and with bounds. */
@@ -109,22 +109,19 @@ static inline void csg_savings_table(const options *o)
 {
     static ray r[csg_timed];
     table t = table_new("Solids of 1024 balls that a ray asks", "tree|solids|boxes|time [ns]");
-    csg_model m = csg_balls(1024);
-    csg c[2];
+    csg_scene balls = csg_scene_built(csg_balls(1024));
+    csg c[2] = {balls.c, balls.c};
     csg_timing x[2];
     double ns[2];
     const size_t few = 64;
-    failure f;
     hit h;
     for (size_t i = 0; i < csg_timed; i++) {
         random_stream s = random_start(o->seed, i, 99);
         vec3 eye = vadd(vec(1, 1.5, 4), random_in_cube(&s, (real)0.5));
         r[i] = ray_from(eye, vsub(random_in_cube(&s, 1), eye));
     }
-    for (int k = 0; k < 2; k++) {
-        if (!csg_build(m, (csg_options){k == 0}, &c[k], &f)) fail(f);
-        x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
-    }
+    c[0].no_bounds = true;
+    for (int k = 0; k < 2; k++) x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
     bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, ns);
     for (int k = 0; k < 2; k++) {
         csg_asked.solids = csg_asked.bounds = 0;
@@ -132,9 +129,8 @@ static inline void csg_savings_table(const options *o)
         table_text(&t, k ? "with bounds" : "no bounds");
         table_number(&t, (double)csg_asked.solids / csg_timed);
         table_number(&t, (double)csg_asked.bounds / csg_timed), table_number(&t, ns[k]);
-        csg_free(&c[k]);
     }
-    free((void *)(uintptr_t)m.solid), free((void *)(uintptr_t)m.step);
+    csg_scene_free(&balls);
     output_extra_table(o, &t);
 }
 
@@ -153,7 +149,7 @@ static inline void csg_tolerance_plot(const options *o)
             csg_tolerance = pow((real)10, (real)e / 2);
             plot_add(&p, k, (double)csg_tolerance, csg_wrong(&s, csg_hit_tolerant, true, 1000));
         }
-        csg_sight_free(&s);
+        csg_scene_free(&s.scene);
     }
     output_plot(o, &p, "06_csg_tolerance.svg");
 }

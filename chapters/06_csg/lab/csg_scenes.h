@@ -1,6 +1,7 @@
 /* csg_scenes.h: the solids of this chapter, and what is needed to look at them.
  *
  *   csg_scene s = csg_scene_of(text)            an expression; exit 2 where it says nothing
+ *   csg_scene_built(e)                          one that was read, or made; takes it
  *   csg_scene_pocket(mesh, shift)               a turned block, or a mesh of one, with pockets that
  *                                               are flush with its faces; beside it three foils
  *   csg_scene_free(&s)
@@ -21,14 +22,21 @@ typedef struct { csg_expression e; csg c; } csg_scene;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline csg_scene csg_scene_built(csg_expression e)
+{
+    csg_scene s = {.e = e};
+    failure f;
+    if (!csg_build(csg_expression_model(&e), (csg_options){0}, &s.c, &f)) fail(f);
+    return s;
+}
+
 static inline csg_scene csg_scene_of(const char *text)
 {
-    csg_scene s;
+    csg_expression e;
     failure f;
-    if (!csg_read(text, &s.e, &f)) die(2, "--expression %.100s%s: %.300s", text,
-                                       strlen(text) > 100 ? ".." : "", f.text);
-    if (!csg_build(csg_expression_model(&s.e), (csg_options){0}, &s.c, &f)) fail(f);
-    return s;
+    if (!csg_read(text, &e, &f)) die(2, "--expression %.100s%s: %.300s", text,
+                                     strlen(text) > 100 ? ".." : "", f.text);
+    return csg_scene_built(e);
 }
 
 static inline void csg_scene_free(csg_scene *s) { csg_free(&s->c), csg_expression_free(&s->e); }
@@ -85,8 +93,8 @@ static inline csg_scene csg_scene_pocket(bool mesh, vec3 shift)
     vec3 n[3];
     csg_scene_axes(n);
     enum { solids = 8, steps = 2 * solids - 1 };
-    csg_scene s = {.e = {.solids = solids, .steps = steps}};
-    s.e.solid = allocate(solids, sizeof *s.e.solid), s.e.step = allocate(steps, sizeof *s.e.step);
+    csg_expression e = {.solids = solids, .steps = steps};
+    e.solid = allocate(solids, sizeof *e.solid), e.step = allocate(steps, sizeof *e.step);
     const csg_solid all[solids] = {
         csg_scene_block(n, -1, -1, -1, 1, 1, 1),
         csg_scene_cut(n, 1, 0.3, 1, 0.2, -0.45, 0.55, 0.22, 25),  /* two in the upper face */
@@ -97,25 +105,24 @@ static inline csg_scene csg_scene_pocket(bool mesh, vec3 shift)
         csg_scene_block(n, 1.3, -0.3, 0, 2.1, 0.3, 0.002),
         csg_scene_block(n, 1.3, -1, 0, 2.1, -0.4, 0.02)};
     for (uint32_t i = 0; i < solids; i++) {
-        s.e.solid[i] = all[i];
+        e.solid[i] = all[i];
         for (int k = 0; k < 3; k++) {  /* one plane stays one: the same sum of the same numbers */
-            s.e.solid[i].box.lo[k] += vdot(all[i].box.n[k], shift);
-            s.e.solid[i].box.hi[k] += vdot(all[i].box.n[k], shift);
+            e.solid[i].box.lo[k] += vdot(all[i].box.n[k], shift);
+            e.solid[i].box.hi[k] += vdot(all[i].box.n[k], shift);
         }
-        s.e.step[i ? 2 * i - 1 : 0] = (csg_step){CSG_SOLID, i};
-        if (i) s.e.step[2 * i] = (csg_step){i < 5 ? CSG_DIFFERENCE : CSG_UNION, 0};
+        e.step[i ? 2 * i - 1 : 0] = (csg_step){CSG_SOLID, i};
+        if (i) e.step[2 * i] = (csg_step){i < 5 ? CSG_DIFFERENCE : CSG_UNION, 0};
     }
-    if (mesh) s.e.solid[0] = csg_scene_cube(n, shift);
-    failure f;
-    if (!csg_build(csg_expression_model(&s.e), (csg_options){0}, &s.c, &f)) fail(f);
-    return s;
+    if (mesh) e.solid[0] = csg_scene_cube(n, shift);
+    return csg_scene_built(e);
 }
+
+static const vec3 csg_paint[] = {{0.72, 0.10, 0.06}, {0.05, 0.20, 0.62}, {0.10, 0.50, 0.22},
+                                 {0.85, 0.50, 0.04}, {0.05, 0.48, 0.50}, {0.50, 0.14, 0.42}};
 
 static inline vec3 csg_scene_colour(const csg_scene *s, hit h)
 {
-    static const vec3 paint[] = {{0.72, 0.10, 0.06}, {0.05, 0.20, 0.62}, {0.10, 0.50, 0.22},
-                                 {0.85, 0.50, 0.04}, {0.05, 0.48, 0.50}, {0.50, 0.14, 0.42}};
-    return paint[csg_solid_of(&s->c, h) % (sizeof paint / sizeof *paint)];
+    return csg_paint[csg_solid_of(&s->c, h) % (sizeof csg_paint / sizeof *csg_paint)];
 }
 
 #endif

@@ -5,9 +5,10 @@
  *                                    crossings of single solids tell where to look; between each
  *                                    two of them oracle_contains is asked. What is shorter than
  *                                    `least` is rounding, and nothing
- *   csg_sight_ray(&s, i)             ray i of a sight: a scene, and rays that try it
+ *   csg_sight s = csg_sight_of(kind, seed)   a scene, and rays that try it; free s.scene
+ *   csg_sight_ray(&s, i)             ray i of them
  *   csg_wrong(&s, X_hit, bare, n)    of n rays, percent whose hit, t or normal is not the truth;
- *                                    bare: in the tree without bounds
+ *                                    bare: of the tree without its bounds
  */
 #ifndef CSG_SURVEY_H
 #define CSG_SURVEY_H
@@ -22,7 +23,6 @@ typedef enum { CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT, CSG_FAR_AWAY, CSG_ME
 typedef struct {
     csg_sight_kind kind;
     csg_scene scene;
-    csg bare;        /* the same tree without bounds */
     vec3 shift;
     uint64_t seed;
 } csg_sight;
@@ -61,14 +61,10 @@ static inline csg_sight csg_sight_of(csg_sight_kind kind, uint64_t seed)
 {
     double far = kind != CSG_FAR_AWAY ? 0 : real_is_float ? 1e2 : 1e7;
     csg_sight s = {.kind = kind, .seed = seed, .shift = vec(far, 0.7 * far, -0.4 * far)};
-    failure f;
     s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(kind == CSG_MESH_FACES, s.shift)
         : csg_scene_of(CSG_CLASSIC);
-    if (!csg_build(csg_expression_model(&s.scene.e), (csg_options){true}, &s.bare, &f)) fail(f);
     return s;
 }
-
-static inline void csg_sight_free(csg_sight *s) { csg_free(&s->bare), csg_scene_free(&s->scene); }
 
 static inline ray csg_sight_ray(const csg_sight *s, size_t i)
 {
@@ -98,17 +94,18 @@ static inline double csg_sight_least(const csg_sight *s)
 
 static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, bool bare, size_t n)
 {
-    const csg *c = bare ? &s->bare : &s->scene.c;
+    csg c = s->scene.c;
     csg_model m = csg_expression_model(&s->scene.e);
     double least = csg_sight_least(s), t = 0;
     size_t wrong = 0;
+    c.no_bounds = bare;
     for (size_t i = 0; i < n; i++) {
         ray r = csg_sight_ray(s, i);
         vec3 normal = {0, 0, 0};
         hit h = hit_none;
-        bool due = csg_truth(m, &s->bare, r, least, &t, &normal), is = X_hit(c, r, &h);
+        bool due = csg_truth(m, &c, r, least, &t, &normal), is = X_hit(&c, r, &h);
         bool there = is && fabs((double)h.t - t) * (double)vlength(r.d) <= least
-            && vdot(csg_normal(c, r, h), normal) > (real)0.99;
+            && vdot(csg_normal(&c, r, h), normal) > (real)0.99;
         wrong += due ? !there : is;
     }
     return 100 * (double)wrong / (double)n;

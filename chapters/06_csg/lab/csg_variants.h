@@ -18,13 +18,15 @@ static _Thread_local real csg_tolerance = (real)1e-9;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The body of a way: what a solid's crossings are, and how two lists become one. */
-#define CSG_WAY(leaf, merge) \
-    { \
-        csg_crossing *list = NULL; \
-        size_t n = csg_walk(c, r, &list, leaf, merge); \
-        return csg_first(list, n, r, out); \
-    }
+/* csg_hit, if `leaf` says what a solid's crossings are, and `merge` how two lists become one. */
+__attribute__((always_inline))
+static inline bool csg_hit_by(const csg *c, ray r, csg_leaf_function *leaf,
+                              csg_merge_function *merge, hit *out)
+{
+    csg_crossing *list = NULL;
+    size_t n = csg_walk(c, r, &list, leaf, merge);
+    return csg_first(list, n, r, out);
+}
 
 /* What first.h keeps of a list. An odd rest never ends: the walk counts on from its beginning. */
 static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t first,
@@ -37,7 +39,9 @@ static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t fir
 }
 
 static inline bool csg_hit_front(const csg *c, ray r, hit *out)
-CSG_WAY(csg_front_crossings, spans_merge)
+{
+    return csg_hit_by(c, r, csg_front_crossings, spans_merge, out);
+}
 
 /* Boxes by the planes through their own least or greatest corner; triangles of a mesh know of no
  * planes, each finds t in its own way. */
@@ -98,19 +102,16 @@ static inline size_t csg_tolerant_crossings(const csg_solid *s, ray r, uint32_t 
     return kept;
 }
 
-static inline bool csg_hit_within(const csg *c, ray r, hit *out)
-CSG_WAY(csg_tolerant_crossings, csg_merge_tolerant)
-
 static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
 {
     csg_tolerance_t = csg_tolerance / vlength(r.d);
-    return csg_hit_within(c, r, out);
+    return csg_hit_by(c, r, csg_tolerant_crossings, csg_merge_tolerant, out);
 }
 
 static inline bool csg_hit_points(const csg *c, ray r, hit *out)
 {
     csg_tolerance_t = -1;
-    return csg_hit_within(c, r, out);
+    return csg_hit_by(c, r, csg_tolerant_crossings, csg_merge_tolerant, out);
 }
 
 #endif

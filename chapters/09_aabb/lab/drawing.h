@@ -31,22 +31,21 @@ static inline void slabs_line(figure *g, vec3 a, vec3 b, const char *colour, dou
     figure_line(g, x0, y0, x1, y1, colour, width, dashes);
 }
 
-/* Corner c [0..3] of a rectangle across axis k, anticlockwise: at p_k = at, from lo to hi. */
-static inline vec3 slabs_corner(int k, real at, aabb b, int c)
+/* Of the four edges along axis k, edge c: where it is at p_k = at. */
+static inline vec3 slabs_corner(aabb b, int k, int c, real at)
 {
     int i = (k + 1) % 3, j = (k + 2) % 3;
-    vec3 p = vwith(b.lo, k, at);
-    if (c == 1 || c == 2) p = vwith(p, i, vaxis(b.hi, i));
-    return c > 1 ? vwith(p, j, vaxis(b.hi, j)) : p;
+    return vwith(vwith(vwith(b.lo, k, at), i, vaxis(c & 1 ? b.hi : b.lo, i)), j,
+                 vaxis(c & 2 ? b.hi : b.lo, j));
 }
 
 /* A piece of the plane p_k = at, with room round the box. */
 static inline void slabs_plane(figure *g, int k, real at)
 {
+    const aabb b = first_aabb_pad(slabs_box, (real)0.55);
     double xy[8];
     for (int c = 0; c < 4; c++)
-        slabs_project(slabs_corner(k, at, first_aabb_pad(slabs_box, (real)0.55), c), &xy[2 * c],
-                      &xy[2 * c + 1]);
+        slabs_project(slabs_corner(b, k, c ^ c >> 1, at), &xy[2 * c], &xy[2 * c + 1]);
     figure_polygon(g, 4, xy, slabs_colour[k], 0.16, slabs_colour[k]);
 }
 
@@ -61,29 +60,27 @@ static inline void slabs_dot(figure *g, ray r, real t, const char *colour, doubl
 
 static inline void slabs_panel(figure *g, int k, ray r, const real t[2])
 {
-    vec3 lo = slabs_box.lo, hi = slabs_box.hi;
-    char text[2][32];
+    static const char *const mark[3][2] = {{"_t_~min,x~", "_t_~max,x~"},
+                                           {"_t_~min,y~", "_t_~max,y~"},
+                                           {"_t_~min,z~", "_t_~max,z~"}};
+    const aabb b = slabs_box;
     double x, y, tip_x, tip_y;
-    slabs_plane(g, k, vaxis(lo, k)), slabs_plane(g, k, vaxis(hi, k));
+    slabs_plane(g, k, vaxis(b.lo, k)), slabs_plane(g, k, vaxis(b.hi, k));
     for (int a = 0; a < 3; a++)
-        for (int k4 = 0; k4 < 4; k4++) {  /* the four edges along axis a */
-            int c = k4 ^ k4 >> 1;
-            slabs_line(g, slabs_corner(a, vaxis(lo, a), slabs_box, c),
-                       slabs_corner(a, vaxis(hi, a), slabs_box, c), FIGURE_GREY, 1.2, FIGURE_WHOLE);
-        }
+        for (int c = 0; c < 4; c++)
+            slabs_line(g, slabs_corner(b, a, c, vaxis(b.lo, a)),
+                       slabs_corner(b, a, c, vaxis(b.hi, a)), FIGURE_GREY, 1.2, FIGURE_WHOLE);
     slabs_project(ray_at(r, 0), &x, &y), slabs_project(ray_at(r, (real)4.4), &tip_x, &tip_y);
     figure_arrow(g, x, y, tip_x, tip_y, FIGURE_BLACK, 1.2);
     slabs_line(g, ray_at(r, t[0]), ray_at(r, t[1]), slabs_colour[k], 4, FIGURE_WHOLE);
-    snprintf(text[0], sizeof text[0], "_t_~min,%s~", slabs_name[k]);
-    snprintf(text[1], sizeof text[1], "_t_~max,%s~", slabs_name[k]);
     slabs_dot(g, r, 0, FIGURE_BLACK, -4, 22, "*o*");
-    slabs_dot(g, r, t[0], slabs_colour[k], k == 2 ? -88 : -54, k == 2 ? 2 : -12, text[0]);
-    slabs_dot(g, r, t[1], slabs_colour[k], 2, 22, text[1]);
+    slabs_dot(g, r, t[0], slabs_colour[k], k == 2 ? -88 : -54, k == 2 ? 2 : -12, mark[k][0]);
+    slabs_dot(g, r, t[1], slabs_colour[k], 2, 22, mark[k][1]);
     figure_text(g, tip_x, tip_y, 4, -10, FIGURE_RIGHT, FIGURE_BLACK, "*o* + _t_ *d*");
 }
 
 /* The intervals of the three axes, and their overlap, with t = 0 at the origin of g. */
-static inline void slabs_bars(figure *g, const real t[3][2], const char *title)
+static inline void slabs_bars(figure *g, real t[3][2], const char *title)
 {
     double enter = 0, leave = 1e9;
     figure_text(g, 0, 0, 0, -128, FIGURE_LEFT, FIGURE_BLACK, title);
@@ -108,6 +105,9 @@ static inline void slabs_bars(figure *g, const real t[3][2], const char *title)
 
 static inline void draw_slabs(const options *o)
 {
+    static const char *const title[2] = {
+        "this ray: in all three slabs from _t_~enter~ to _t_~exit~",
+        "a steeper ray leaves _y_ before it enters _z_: a miss"};
     const vec3 from = vec(-1, -0.2, 2.75);
     const ray r[2] = {ray_from(from, vec(1, 0.5, -0.75)), ray_from(from, vec(1, 1.8, -0.75))};
     figure g = figure_begin(o, "09_aabb_slabs.svg", 880, 460);
@@ -124,12 +124,10 @@ static inline void draw_slabs(const options *o)
                      "the slab of _%s_, between _lo_~%s~ and _hi_~%s~", slabs_name[k],
                      slabs_name[k], slabs_name[k]);
     }
-    figure_origin(&g, 50, 424, 78);
-    slabs_bars(&g, (const real (*)[2])t[0],
-               "this ray: in all three slabs from _t_~enter~ to _t_~exit~");
-    figure_origin(&g, 490, 424, 78);
-    slabs_bars(&g, (const real (*)[2])t[1],
-               "a steeper ray leaves _y_ before it enters _z_: a miss");
+    for (int i = 0; i < 2; i++) {
+        figure_origin(&g, 50 + 440 * i, 424, 78);
+        slabs_bars(&g, t[i], title[i]);
+    }
     figure_end(&g);
 }
 

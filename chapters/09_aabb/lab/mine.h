@@ -25,13 +25,6 @@ enum { aabb_mine = 0 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The t of entry, tmin if the ray begins inside. */
-static inline real exact_enter(aabb b, ray r)
-{
-    aabb_fraction t = exact_aabb(b, r).enter;
-    return (real)((double)t.n / (double)t.d);
-}
-
 static inline bool aabb_prove(bool (*X_hit)(aabb b, ray r, real *t_enter), const char *name,
                               size_t n, FILE *out)
 {
@@ -43,7 +36,8 @@ static inline bool aabb_prove(bool (*X_hit)(aabb b, ray r, real *t_enter), const
         bool met = !aabb_is_empty(inner) && exact_aabb(inner, c.r).hit;
         if (!met && exact_aabb(first_aabb_pad(c.b, 1), c.r).hit) continue;
         if (c.r.d.x == 0 || c.r.d.y == 0 || c.r.d.z == 0) continue;  /* 0 / 0, -0.0 */
-        real t = 0, enter = exact_enter(c.b, c.r);
+        aabb_fraction exact = exact_aabb(c.b, c.r).enter;
+        real t = 0, enter = (real)((double)exact.n / (double)exact.d);
         bool said = X_hit(c.b, c.r, &t);
         asked++, hits += met;
         bool same_t = t == enter || fabs(t - enter) <= most * (1 + fabs(enter));

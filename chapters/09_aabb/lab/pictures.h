@@ -63,58 +63,55 @@ static vec3 room_colour(const void *context, real x, real y)
 static inline void draw_room(const options *o)
 {
     panels_shape g = {o->width, o->height, room_parts, 1, o->width >= 64 ? 6 : 0, 2, true};
-    aabb_room s[3] = {{.test = first_aabb_hit}, {.test = aabb_hit}, {.test = mine_aabb_hit}};
+    const int w = panels_wide(g), h = o->height;
+    const camera v = camera_at(vec(13, 15, 8), vec(2.4, 2.4, 0.9), vec(0, 0, 1), 27,
+                               (real)w / (real)h);
+    const aabb_room s[3] = {{first_aabb_hit, v, w, h}, {aabb_hit, v, w, h},
+                            {mine_aabb_hit, v, w, h}};
     const panel p[3] = {{"first_aabb_hit", &s[0]}, {"aabb_hit", &s[1]}, {"mine", &s[2]}};
-    for (int k = 0; k < 3; k++) {
-        s[k].width = panels_wide(g), s[k].height = o->height;
-        s[k].view = camera_at(vec(13, 15, 8), vec(2.4, 2.4, 0.9), vec(0, 0, 1), 27,
-                              (real)s[k].width / (real)o->height);
-    }
     panels_draw(o, "09_aabb.png", true, g, room_colour, p);
 }
 
 /* ---- rays along an axis ---- */
 
-enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10 };
-enum { cell_columns = 3 + aabb_mine };
-static aabb_test *const cell_test[] = {first_aabb_hit, aabb_hit_closed, aabb_hit, mine_aabb_hit};
+enum { cell_count = 64, cell_size = 4, cell_columns = 3 + aabb_mine };
 /* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
-static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
-                                    {0.871, 0.776, 0.054}};
+static const struct { vec3 colour; const char *name; } cell_key[4] = {
+    {{0, 0.168, 0.445}, "hit"}, {{0.8, 0.8, 0.8}, "miss"},
+    {{0.665, 0.112, 0}, "a hit that is lost"}, {{0.871, 0.776, 0.054}, "a false alarm"}};
 
-/* Cell (i, j) of a panel: does the ray meet any of four boxes? The exact answer is *truth. Along
- * -z, d.x = +0.0 on the left and -0.0 on the right, d.y = +0.0 above and -0.0 below: four times a
- * block, a plate of no thickness, a sheet seen edge-on and a rod seen end-on. */
-static inline bool cell_ask(aabb_test *test, int i, int j, bool *truth)
+/* Cell (i, j) of a panel: does the ray meet any of four boxes? Along -z, d.x = +0.0 on the left
+ * and -0.0 on the right, d.y = +0.0 above and -0.0 below: four times a block, a plate of no
+ * thickness, a sheet seen edge-on and a rod seen end-on. */
+static vec3 cell_seen(const void *context, real px, real py)
 {
     static const int b[4][6] = {{4, 4, 0, 14, 14, 5}, {18, 4, 3, 28, 14, 3},
                                 {4, 20, 0, 28, 20, 5}, {16, 26, 0, 16, 26, 5}};
-    int half = cell_count / 2, x = i / half * half, y = j / half * half;
+    aabb_test *const *test = context;
+    int i = (int)px / cell_size, j = (int)py / cell_size, half = cell_count / 2;
+    int x = i / half * half, y = j / half * half;
     ray r = ray_from(vec(i, j, 9), vec(i < half ? 0.0 : -0.0, j < half ? 0.0 : -0.0, -1));
-    bool answer = *truth = false;
+    bool answer = false, truth = false;
     for (int k = 0; k < 4; k++) {
         aabb box = {vec(x + b[k][0], y + b[k][1], b[k][2]), vec(x + b[k][3], y + b[k][4], b[k][5])};
         real t;
-        *truth |= exact_aabb(box, r).hit;
-        answer |= test(box, r, &t);
+        truth |= exact_aabb(box, r).hit;
+        answer |= (*test)(box, r, &t);
     }
-    return answer;
+    return cell_key[truth == answer ? !truth : truth ? 2 : 3].colour;
 }
 
 static inline void draw_aligned(const options *o)
 {
-    static const char *const key[] = {"hit", "miss", "a hit that is lost", "a false alarm"};
-    static const char *const title[] = {"first", "closed, <=", "aabb_hit", "mine"};
+    static aabb_test *const test[] = {first_aabb_hit, aabb_hit_closed, aabb_hit, mine_aabb_hit};
+    const panel p[] = {{"first", &test[0]}, {"closed, <=", &test[1]}, {"aabb_hit", &test[2]},
+                       {"mine", &test[3]}};
+    const int side = cell_count * cell_size, gap = 10;
     const vec3 black = {0, 0, 0};
-    image im = image_new(cell_columns * cell_panel - 10, cell_panel - 10);
-    for (int k = 0; k < cell_columns; k++)
-        for (int c = 0; c < cell_count * cell_count; c++) {
-            int i = c % cell_count, j = c / cell_count;
-            bool truth, answer = cell_ask(cell_test[k], i, j, &truth);
-            label_fill(&im, k * cell_panel + i * cell_size, j * cell_size, cell_size, cell_size,
-                       cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
-        }
-    label_titles(&im, cell_columns, 1, 10, title), label_below(&im, 84);
+    bool whole;
+    image im = panels_new(o, (panels_shape){cell_columns * (side + gap) - gap, side, cell_columns,
+                                            1, gap, 1, false}, cell_seen, p, &whole);
+    label_below(&im, 84);
     double middle = im.width / 2.0;
     int y = im.height - 84;
     label_text(&im, middle, y + 22, 10, 0.5, black,
@@ -122,10 +119,10 @@ static inline void draw_aligned(const options *o)
     label_text(&im, middle, y + 44, 10, 0.5, black,
                "each quarter: a block, a flat plate; a sheet seen edge-on; a rod seen end-on");
     for (int k = 0, x = 20; k < 4; k++, x += 195) {
-        label_fill(&im, x, y + 60, 16, 16, cell_colour[k]);
-        label_text(&im, x + 24, y + 73, 11, 0, black, key[k]);
+        label_fill(&im, x, y + 60, 16, 16, cell_key[k].colour);
+        label_text(&im, x + 24, y + 73, 11, 0, black, cell_key[k].name);
     }
-    output_picture(o, &im, "09_aabb_aligned.png", false, true);
+    output_picture(o, &im, "09_aabb_aligned.png", false, whole);
     image_free(&im);
 }
 

@@ -36,12 +36,6 @@ static inline bool whole_step(whole_walk *w)
     return tie;
 }
 
-static inline lattice whole_lattice(void)
-{
-    const real side = 1 << 20;
-    return lattice_of((aabb){{0, 0, 0}, {side, side, side}}, (int[3]){1 << 20, 1 << 20, 1 << 20});
-}
-
 /* Past an edge of a cell, before so many steps are made, by 1 / (2 M) of a cell: where walls x and
  * y are met in the wrong order, a cell is missed. */
 static inline whole_walk whole_walk_aimed(uint64_t seed, uint64_t i, size_t steps)
@@ -55,12 +49,6 @@ static inline whole_walk whole_walk_aimed(uint64_t seed, uint64_t i, size_t step
     }
     w.d[1] += i % 2 ? 1 : -1;
     return w;
-}
-
-static inline ray whole_ray(const whole_walk *w)
-{
-    const real half = 0.5;
-    return ray_from((vec3){half, half, half}, vec(w->d[0], w->d[1], w->d[2]));
 }
 
 static inline bool whole_same(const whole_walk *w, const grid_walk *a)
@@ -82,12 +70,14 @@ static inline double whole_error(const whole_walk *w, const grid_walk *a)
 __attribute__((always_inline))
 static inline drift drift_after(grid_step *step, size_t steps, size_t walks, uint64_t seed)
 {
-    lattice l = whole_lattice();
+    enum { side = 1 << 20 };  /* of the lattice; cells of size 1 */
+    lattice l = lattice_of((aabb){{0, 0, 0}, {side, side, side}}, (int[3]){side, side, side});
     drift out = {0, 0};
     size_t missed = 0;
     for (size_t i = 0; i < walks; i++) {
         whole_walk exact = whole_walk_aimed(seed, i, steps);
-        grid_line a = line_of(whole_ray(&exact));
+        vec3 d = vec(exact.d[0], exact.d[1], exact.d[2]);
+        grid_line a = line_of(ray_from(vec(0.5, 0.5, 0.5), d));
         grid_walk w = walk_from(&l, &a, 0);
         bool astray = false;
         for (size_t s = 0; s < steps; s++) {

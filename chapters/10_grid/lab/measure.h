@@ -52,24 +52,18 @@ static inline double grid_bytes(const trial_row *r, const trial_scene *s)
 }
 
 /* Of the judged rays of s, those whose hit is not that of brute force [%]. */
-static inline void grid_judge(const trial_scene *s, double wrong[grid_rows])
+static inline double grid_wrong(const trial_row *r, const trial_scene *s)
 {
-    for (int i = 0; i < grid_rows; i++) {
-        trial_row r = grid_row_list[i];
-        trial_build(&r, s);
-        wrong[i] = 100 * trial_per((double)trial_wrong(&r, s), s->rays[TRIAL_CORNERS].n);
-        trial_unbuild(&r);
-    }
+    return 100 * trial_per((double)trial_wrong(r, s), s->rays[TRIAL_CORNERS].n);
 }
 
 static inline void measure_variants(const options *o)
 {
     int width = o->quick ? 40 : o->full ? 130 : 50;
     char title[160];
-    double wrong[2][grid_rows];
     trial_scene pot, boards;
-    trial_row row[grid_rows];
-    memcpy(row, grid_row_list, sizeof row);
+    trial_row row[grid_rows], other[grid_rows];
+    memcpy(row, grid_row_list, sizeof row), memcpy(other, grid_row_list, sizeof other);
 
     /* Rays from the eye, and one on from each of their hits; the latter are judged. */
     trial_scene_of(teapot_mesh(o->full ? 10 : 4), &pot);
@@ -78,13 +72,13 @@ static inline void measure_variants(const options *o)
     trials_run(row, grid_rows, &pot, o->quick ? 3 : o->full ? 25 : 3);
     rays_free(&pot.rays[TRIAL_CORNERS]);
     pot.rays[TRIAL_CORNERS] = pot.rays[TRIAL_DIFFUSE], pot.rays[TRIAL_DIFFUSE] = (ray_set){0};
-    trial_due(&pot, false), grid_judge(&pot, wrong[0]);
+    trial_due(&pot, false);
 
     /* Lines through large triangles: each is in many cells. */
     trial_scene_of(grid_boards(o->full ? 200 : 100, o->seed), &boards);
     boards.rays[TRIAL_CORNERS] = rays_uniform((aabb){{-1, -1, -1}, {1, 1, 1}},
                                               o->full ? 10000 : 2000, o->seed);
-    trial_due(&boards, false), grid_judge(&boards, wrong[1]);
+    trial_due(&boards, false), trials_run(other, grid_rows, &boards, 1);
 
     snprintf(title, sizeof title, "A teapot of %zu triangles, and boards: wrong hits, work, time",
              pot.m.triangles);
@@ -96,11 +90,12 @@ static inline void measure_variants(const options *o)
         double seconds = row[i].ray[TRIAL_PRIMARY].seconds + row[i].ray[TRIAL_DIFFUSE].seconds;
         table_text(&t, "%s", row[i].name), table_number(&t, grid_bytes(&row[i], &pot));
         trial_cell(&t, row[i].verbs->hit_counted != NULL, trial_per((double)w.tests, rays));
-        table_number(&t, wrong[0][i]), table_number(&t, wrong[1][i]);
+        table_number(&t, grid_wrong(&row[i], &pot));
+        table_number(&t, grid_wrong(&other[i], &boards));
         table_number(&t, trial_per(seconds * 1e9, rays));
     }
     output_table(o, &t);
-    trial_end(row, grid_rows);
+    trial_end(row, grid_rows), trial_end(other, grid_rows);
     trial_scene_free(&pot), trial_scene_free(&boards);
 }
 
@@ -111,12 +106,13 @@ static inline void measure_variants(const options *o)
 static inline void measure_density(const options *o)
 {
     static const char *const name[3] = {"teapot", "triangles", "stadium"};
+    const real edge = (real)cbrt(1 / 20000.0) / 2;  /* half as long as 20000 triangles are apart */
     plot time = plot_new("Time against cells", "cells a shape", "time [ns a ray]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < 3; k++) {
         trial_scene s;
         vec3 lo, hi;
-        trial_scene_of(k == 0 ? teapot_mesh(24) : k == 1 ? grid_soup(20000, o->seed)
+        trial_scene_of(k == 0 ? teapot_mesh(24) : k == 1 ? soup_mesh(20000, 0.5, edge, o->seed)
                                                          : stadium_mesh(16), &s);
         mesh_bounds(&s.m, &lo, &hi);
         s.rays[TRIAL_UNIFORM] = k == 2 ? rays_primary(grid_stadium_camera(), 14, 14)

@@ -66,58 +66,6 @@ static inline vec3 see_cells(const void *picture, real x, real y)
     return shown;
 }
 
-/* Titles above the panels, and below the last ones a bar of colours; where words find room. */
-static inline void grid_label(image *im, int n, const char *const *title, int bars, real most)
-{
-    enum { gap = 6, bar = 44 };
-    if (im->width < 200 * n) return;
-    int w = (im->width + gap) / n * bars - gap;
-    bool log = most > 1000;
-    label_titles(im, n, 1, gap, title);
-    if (!bars) return;
-    label_below(im, bar);
-    label_bar(im, im->width - w + 4, im->height - bar + 6, w - 8, 9, work_colour, log, (double)most,
-              log ? "cells and tests, logarithmic" : "cells and tests");
-}
-
-static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
-                             const char *path)
-{
-    static const char *const title[2] = {"cells that triangles touch, half of them taken off",
-                                         "what each ray takes"};
-    const real most = 160;
-    char name[512];
-    vec3 lo, hi;
-    image im = image_new(o->width, o->height);
-    int n = o->quick ? 1 : 2, gap = im.width >= 24 ? 6 : 0, width = (im.width - gap) / 2;
-    grid_options coarse = how;
-    coarse.density = real_max((real)how.density / 27, (real)1e-3);
-    mesh_bounds(&s->m, &lo, &hi);
-    camera c = camera_of(lo, hi, !path, (real)(width > 1 ? width : 1) / (real)im.height);
-    const trial_panel panel[2] = {{s, &grid_trial, &coarse, c, 1, n, see_cells},
-                                  {s, &grid_trial, &how, c, most, n, trial_work_colour}};
-    bool whole = trial_draw_panels(&im, 2, 1, gap, panel, o->threads);
-    grid_label(&im, 2, title, 1, most);
-    output_picture(o, &im, picture_name("10_grid.png", path, name), true, whole);
-    image_free(&im);
-}
-
-static inline void draw_early(const options *o)
-{
-    static const char *const title[2] = {"the first hit found: orange is wrong", "grid_hit"};
-    image im = image_new(o->quick ? 120 : 760, o->quick ? 60 : 330);
-    trial_scene s;
-    int n = o->quick ? 1 : 2;
-    trial_scene_of(grid_boards(60, o->seed), &s);
-    camera c = trial_camera(&s.m, (real)(im.width / 2 - 3) / (real)im.height);
-    const trial_panel panel[2] = {{&s, &grid_trial, &grid_by_27, c, 1, n, see_early},
-                                  {&s, &grid_trial, &grid_by_27, c, 1, n, see_boards}};
-    bool whole = trial_draw_panels(&im, 2, 1, 6, panel, o->threads);
-    grid_label(&im, 2, title, 0, 1);
-    output_picture(o, &im, "10_grid_early.png", false, whole);
-    trial_scene_free(&s), image_free(&im);
-}
-
 /* Cells and tests, of which p.most is white, on a logarithmic scale. */
 static inline vec3 see_work_log(const void *picture, real x, real y)
 {
@@ -128,24 +76,78 @@ static inline vec3 see_work_log(const void *picture, real x, real y)
     return work_colour(log((real)(1 + w.nodes + w.tests)) / log(p->most));
 }
 
+/* Panels in a row, titles above, and below the last `bars` of them a bar of colours, where words
+ * find room. */
+typedef struct {
+    int width, height, panels, bars;
+    const char *title[3];
+    trial_panel panel[3];
+} grid_sheet;
+
+static inline void grid_draw(const options *o, const grid_sheet *g, const char *name, bool is_main)
+{
+    enum { bar = 44 };
+    image im = image_new(g->width, g->height);
+    int n = g->panels, gap = g->width >= 24 ? 6 : 0, w = (g->width + gap) / n * g->bars - gap;
+    real most = g->panel[n - 1].most;
+    bool whole = trial_draw_panels(&im, n, 1, gap, g->panel, o->threads), log = most > 1000;
+    if (g->width >= 200 * n) label_titles(&im, n, 1, gap, g->title);
+    if (g->width >= 200 * n && g->bars) {
+        label_below(&im, bar);
+        label_bar(&im, im.width - w + 4, im.height - bar + 6, w - 8, 9, work_colour, log,
+                  (double)most, log ? "cells and tests, logarithmic" : "cells and tests");
+    }
+    output_picture(o, &im, name, is_main, whole);
+    image_free(&im);
+}
+
+static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
+                             const char *path)
+{
+    char name[512];
+    vec3 lo, hi;
+    int n = o->quick ? 1 : 2, gap = o->width >= 24 ? 6 : 0, width = (o->width - gap) / 2;
+    grid_options coarse = how;
+    coarse.density = real_max((real)how.density / 27, (real)1e-3);
+    mesh_bounds(&s->m, &lo, &hi);
+    camera c = camera_of(lo, hi, !path, (real)(width > 1 ? width : 1) / (real)o->height);
+    const grid_sheet g = {
+        o->width, o->height, 2, 1,
+        {"cells that triangles touch, half of them taken off", "what each ray takes"},
+        {{s, &grid_trial, &coarse, c, 1, n, see_cells},
+         {s, &grid_trial, &how, c, 160, n, trial_work_colour}}};
+    grid_draw(o, &g, picture_name("10_grid.png", path, name), true);
+}
+
+static inline void draw_early(const options *o)
+{
+    int width = o->quick ? 120 : 760, height = o->quick ? 60 : 330, n = o->quick ? 1 : 2;
+    trial_scene s;
+    trial_scene_of(grid_boards(60, o->seed), &s);
+    camera c = trial_camera(&s.m, (real)(width / 2 - 3) / (real)height);
+    const grid_sheet g = {width, height, 2, 0,
+                          {"the first hit found: orange is wrong", "grid_hit"},
+                          {{&s, &grid_trial, &grid_by_27, c, 1, n, see_early},
+                           {&s, &grid_trial, &grid_by_27, c, 1, n, see_boards}}};
+    grid_draw(o, &g, "10_grid_early.png", false);
+    trial_scene_free(&s);
+}
+
 static inline void draw_stadium(const options *o)
 {
-    static const char *const title[3] = {"the small teapot, near", "one level: work a ray",
-                                         "two levels: work a ray"};
     const real most = 1e5;
     int side = o->quick ? 60 : 240;
-    image im = image_new(3 * side + 12, side);
     trial_scene s;
     trial_scene_of(stadium_mesh(o->quick ? 4 : 5), &s);
     const camera c = grid_stadium_camera();
-    const trial_panel panel[3] = {
-        {&s, &nested_trial, &grid_two_levels, c, most, 2, trial_mesh_colour},
-        {&s, &grid_trial, &grid_by_27, c, most, 1, see_work_log},
-        {&s, &nested_trial, &grid_two_levels, c, most, 1, see_work_log}};
-    bool whole = trial_draw_panels(&im, 3, 1, 6, panel, o->threads);
-    grid_label(&im, 3, title, 2, most);
-    output_picture(o, &im, "10_grid_stadium.png", false, whole);
-    trial_scene_free(&s), image_free(&im);
+    const grid_sheet g = {
+        3 * side + 12, side, 3, 2,
+        {"the small teapot, near", "one level: work a ray", "two levels: work a ray"},
+        {{&s, &nested_trial, &grid_two_levels, c, most, 2, trial_mesh_colour},
+         {&s, &grid_trial, &grid_by_27, c, most, 1, see_work_log},
+         {&s, &nested_trial, &grid_two_levels, c, most, 1, see_work_log}}};
+    grid_draw(o, &g, "10_grid_stadium.png", false);
+    trial_scene_free(&s);
 }
 
 #endif

@@ -1,7 +1,6 @@
 /* scenes.h: the scenes that this chapter measures with.
  *
- *   mesh m = grid_soup(n, seed)                        small triangles
- *   mesh b = grid_boards(n, seed)                      large ones, through each other
+ *   mesh b = grid_boards(n, seed)                      large triangles, through each other
  *   camera c = grid_stadium_camera()                   so near to the small teapot of a stadium
  *                                                      that it fills the picture
  */
@@ -13,12 +12,6 @@
 #include "../../09_aabb/trials/bench.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Edges about half as long as the triangles are apart. */
-static inline mesh grid_soup(size_t n, uint64_t seed)
-{
-    return soup_mesh(n, 0.5, (real)cbrt(1 / (double)n) / 2, seed);
-}
 
 /* Across the cube of side 2: each passes through many cells, and through many others. */
 static inline mesh grid_boards(size_t n, uint64_t seed)

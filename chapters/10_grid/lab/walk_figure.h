@@ -26,7 +26,7 @@ enum { walk_segments = sizeof walk_lines / sizeof *walk_lines };
 /* One triangle a segment, standing on it: within the layer 0 <= z <= 1. */
 static inline mesh walk_mesh(void)
 {
-    mesh m = grid_soup(walk_segments, 1);
+    mesh m = mesh_room(walk_segments);
     for (size_t i = 0; i < walk_segments; i++) {
         const real *s = walk_lines[i];
         m.v[3 * i] = (vec3){s[0], s[1], -9}, m.v[3 * i + 1] = (vec3){s[2], s[3], -9};
@@ -46,17 +46,15 @@ static inline void walk_cell(figure *g, size_t c, const char *colour, double opa
 /* The cells that an item touches, and, paler, those that only its bounds overlap. */
 static inline void walk_marks(figure *g, const items *x, const lattice *l)
 {
-    for (int exact = 0; exact < 2; exact++) {
-        marking mark = {x, *l, 1e-4, exact};
-        cell_lists lists;
-        failure why;
-        if (!lists_begin(lattice_cells(l), (size_t)1 << 20, &lists, &why)) fail(why);
-        for (size_t i = 0; i < x->n; i++)
-            if (!lists_count(&lists, &mark, i, 0, &why)) fail(why);
-        for (size_t c = 0; c < lattice_cells(l); c++)
-            if (lists.first[c]) walk_cell(g, c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
-        lists_free(&lists);
-    }
+    for (int exact = 0; exact < 2; exact++)
+        for (int c = 0; c < walk_wide * walk_high; c++) {
+            const int at[3] = {c % walk_wide, c / walk_wide, 0};
+            aabb cell = lattice_box(l, at, at, (real)1e-4);
+            bool marked = false;
+            for (size_t i = 0; i < x->n; i++)
+                marked |= exact ? items_overlap_box(x, i, cell) : items_overlap_bounds(x, i, cell);
+            if (marked) walk_cell(g, (size_t)c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
+        }
 }
 
 /* Walls of x are black, those of y white. */
@@ -129,14 +127,12 @@ static inline void draw_walk(const options *o)
     walk_legend(&g);
     walk_marks(&g, &all, &l);
     for (int i = 0; i <= n; i++) {
-        char text[8];
-        snprintf(text, sizeof text, "%d", i + 1);
         walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.3);
         double x = (double)(wall[i].cell % walk_wide), y = (double)(wall[i].cell / walk_wide);
         double middle = i ? (wall[i - 1].t + fmin(wall[i].t, (double)h.t)) / 2 : wall[i].t / 2;
         bool high = (double)ray_at(r, (real)middle).y > y + 0.5;  /* the ray: keep off it */
-        figure_text(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
-                    high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, text);
+        figure_print(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
+                     high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, "%d", i + 1);
     }
     for (int i = 0; i <= walk_wide; i++)
         figure_line(&g, i, 0, i, walk_high, FIGURE_GREY, 0.6, FIGURE_WHOLE);

@@ -56,6 +56,13 @@ static inline bsp_options bsp_with(bsp_rule rule, int candidates, bsp_sides side
     return how;
 }
 
+/* The row of a candidate, and its options, which the row points to. */
+static inline trial_row bsp_row(const bsp_candidate *c, bsp_options *how)
+{
+    *how = bsp_with(c->rule, c->candidates, c->sides);
+    return (trial_row){.name = c->name, .verbs = c->verbs, .how = how, .again = c->again};
+}
+
 static inline void bsp_cells(table *t, const trial_row *r)
 {
     const structure_stats *s = &r->stats;
@@ -91,11 +98,8 @@ static inline void table_of_rules(const options *o)
     trial_row row[bsp_candidates];
     bsp_options how[bsp_candidates];
     for (int i = 0; i < n; i++) {
-        const bsp_candidate *c = &bsp_candidate_list[i];
-        how[i] = bsp_with(c->rule, c->candidates, c->sides);
-        row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &how[i],
-                             .again = c->again};
-        if (!c->verbs->first && !rule_by_cost(c->rule)) row[i].step = 64;  /* slow */
+        row[i] = bsp_row(&bsp_candidate_list[i], &how[i]);
+        if (!row[i].verbs->first && !rule_by_cost(how[i].rule)) row[i].step = 64;  /* slow */
     }
     trial_scene_of(teapot_mesh(o->quick ? 3 : o->full ? 14 : 7), &s);
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
@@ -114,23 +118,13 @@ static inline void table_of_rules(const options *o)
 
 /* ---- scenes ---- */
 
-static inline mesh scene_of(int k)
-{
-    switch (k) {
-    case 0: return teapot_mesh(16);
-    case 1: return torus_mesh(100);
-    case 2: return town_mesh(30, 0);
-    case 3: return town_mesh(30, 0.6);
-    case 4: return soup_mesh(8000, 1, (real)0.025, 78);  /* 0.05 large */
-    case 5: return needle_mesh(2000, (real)0.01, 77);
-    default: return stadium_mesh(14);
-    }
-}
-
 static inline void table_of_scenes(const options *o)
 {
-    static const char *const name[7] = {"teapot", "torus", "town", "town, turned", "soup",
-                                        "needles", "stadium"};
+    const struct { const char *name; mesh m; } shown[] = {
+        {"teapot", teapot_mesh(16)}, {"torus", torus_mesh(100)}, {"town", town_mesh(30, 0)},
+        {"town, turned", town_mesh(30, 0.6)},
+        {"soup", soup_mesh(8000, 1, (real)0.025, 78)},  /* 0.05 large */
+        {"needles", needle_mesh(2000, (real)0.01, 77)}, {"stadium", stadium_mesh(14)}};
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
                           "scene|triangles|rule|time build [ms]|bytes a shape|slanted [%]|"
                           "references a shape|nodes a ray|tests a ray|error [wrong]|time [ns]|"
@@ -143,7 +137,7 @@ static inline void table_of_scenes(const options *o)
         aabb box;
         trial_row row[2] = {{.name = "axis", .verbs = &bsp_trial, .how = &how[0]},
                             {.name = "cost", .verbs = &bsp_trial, .how = &how[1]}};
-        trial_scene_of(scene_of(k), &s);
+        trial_scene_of(shown[k].m, &s);
         if (!items_all_bounds(&s.x, &box, &f)) fail(f);
         s.rays[TRIAL_UNIFORM] = rays_uniform(box, 4000, o->seed);
         s.rays[TRIAL_CORNERS] = rays_uniform(box, 200, o->seed);
@@ -152,7 +146,7 @@ static inline void table_of_scenes(const options *o)
         for (int i = 0; i < 2; i++) {
             structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_UNIFORM].work;
-            table_text(&out, "%s", name[k]), table_count(&out, s.m.triangles);
+            table_text(&out, "%s", shown[k].name), table_count(&out, s.m.triangles);
             table_text(&out, "%s", row[i].name), table_number(&out, row[i].build * 1e3);
             table_number(&out, trial_per((double)st->bytes, st->items));
             table_number(&out, 100 * trial_per((double)((bsp *)row[i].built)->normals, st->inner));
@@ -209,10 +203,8 @@ static inline void table_of_losses(const options *o)
         s.rays[TRIAL_CORNERS] = rays_at(&s.m, 6000, o->seed);
         trial_due(&s, false);
         for (int i = 0; i < 5; i++) {
-            how[i] = bsp_with(BSP_COST, 16, list[i].sides);
+            row[i] = bsp_row(&list[i], &how[i]);
             how[i].axis_cost = how[i].slanted_cost = 0.5;  /* many planes */
-            row[i] = (trial_row){.name = list[i].name, .verbs = list[i].verbs, .how = &how[i],
-                                 .again = list[i].again};
         }
         trials_run(row, 5, &s, 1);
         for (int i = 0; i < 5; i++) wrong[i][k] = row[i].wrong;

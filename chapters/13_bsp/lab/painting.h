@@ -17,14 +17,14 @@ enum { painting_most = 16, painting_corners = 8 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { uint32_t n; double x[painting_corners], y[painting_corners]; } painting_piece;
+typedef struct { uint32_t n; double at[painting_corners][2]; } painting_piece;
 
 static inline bool painting_covers(const painting_piece *p, double x, double y)
 {
     bool left = false, right = false;
     for (uint32_t i = 0; i < p->n; i++) {
-        uint32_t k = (i + 1) % p->n;
-        double e = (p->x[k] - p->x[i]) * (y - p->y[i]) - (p->y[k] - p->y[i]) * (x - p->x[i]);
+        const double *a = p->at[i], *b = p->at[(i + 1) % p->n];
+        double e = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
         left |= e > 0, right |= e < 0;
     }
     return !(left && right);
@@ -33,11 +33,12 @@ static inline bool painting_covers(const painting_piece *p, double x, double y)
 /* The number of piece k of n: between its middle and a corner, where no later piece covers it. */
 static inline void painting_number(figure *g, const painting_piece *p, size_t n, size_t k)
 {
+    const painting_piece *q = &p[k];
     double mx = 0, my = 0;
-    for (uint32_t i = 0; i < p[k].n; i++) mx += p[k].x[i] / p[k].n, my += p[k].y[i] / p[k].n;
-    for (uint32_t i = 0; i < 3 * p[k].n; i++) {
-        double part = 0.6 * (i / p[k].n) / 2, x = mx + part * (p[k].x[i % p[k].n] - mx);
-        double y = my + part * (p[k].y[i % p[k].n] - my);
+    for (uint32_t i = 0; i < q->n; i++) mx += q->at[i][0] / q->n, my += q->at[i][1] / q->n;
+    for (uint32_t i = 0; i < 3 * q->n; i++) {
+        const double *corner = q->at[i % q->n], part = 0.6 * (i / q->n) / 2;
+        double x = mx + part * (corner[0] - mx), y = my + part * (corner[1] - my);
         bool hidden = false;
         for (size_t j = k + 1; j < n; j++) hidden |= painting_covers(&p[j], x, y);
         if (hidden) continue;
@@ -53,19 +54,18 @@ static inline void painting_draw(figure *g, const painter *p, const uint32_t *or
 {
     static const char *const colour[3] = {FIGURE_RED, FIGURE_SKY, FIGURE_ORANGE};
     painting_piece piece[painting_most];
-    for (size_t k = 0; k < n && k < painting_most; k++) {
+    if (n > painting_most) n = painting_most;
+    for (size_t k = 0; k < n; k++) {
         const painter_piece *q = &p->piece[order[k]];
-        double xy[2 * painting_corners];
         piece[k].n = q->corners < painting_corners ? q->corners : painting_corners;
         for (uint32_t i = 0; i < piece[k].n; i++) {
             real x = 0, y = 0;
             camera_project(c, vadd(p->corner[q->first + i], p->middle), 400, 400, &x, &y);
-            xy[2 * i] = piece[k].x[i] = (double)x, xy[2 * i + 1] = piece[k].y[i] = (double)-y;
+            piece[k].at[i][0] = (double)x, piece[k].at[i][1] = (double)-y;
         }
-        figure_polygon(g, (int)piece[k].n, xy, colour[q->owner % 3], 1, FIGURE_BLACK);
+        figure_polygon(g, (int)piece[k].n, piece[k].at[0], colour[q->owner % 3], 1, FIGURE_BLACK);
     }
-    for (size_t k = 0; k < n && k < painting_most; k++)
-        painting_number(g, piece, n < painting_most ? n : painting_most, k);
+    for (size_t k = 0; k < n; k++) painting_number(g, piece, n, k);
 }
 
 static inline void draw_cyclic(const options *o)

@@ -12,6 +12,7 @@
 #ifndef BSP_PUZZLES_H
 #define BSP_PUZZLES_H
 
+#include "../../01_ray/affine.h"
 #include "../../07_mesh/scenes/soup.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -47,13 +48,6 @@ static inline mesh comb_mesh(size_t n)
     return m;
 }
 
-/* Rodrigues: p turned about the unit axis k. */
-static inline vec3 turned_about(vec3 k, real angle, vec3 p)
-{
-    real c = cos(angle), s = sin(angle);
-    return vadd(vadd(vscale(p, c), vscale(vcross(k, p), s)), vscale(k, vdot(k, p) * (1 - c)));
-}
-
 static inline mesh town_mesh(size_t n, real turn)
 {
     mesh m = mesh_room(12 * n * n);
@@ -65,7 +59,7 @@ static inline mesh town_mesh(size_t n, real turn)
         vec3 size = {w - 2 * edge, w - 2 * edge, h}, q[8];
         for (int k = 0; k < 8; k++) {
             vec3 part = {(real)(k & 1), (real)(k >> 1 & 1), (real)(k >> 2)};
-            q[k] = turned_about(axis, turn, vadd(lo, vmul(part, size)));
+            q[k] = vturned(vadd(lo, vmul(part, size)), axis, turn);
         }
         static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};

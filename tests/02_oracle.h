@@ -1,4 +1,4 @@
-/* oracle.h: how far a ray and a frame are off, measured in wide arithmetic.
+/* 02_oracle.h: how far a ray and a frame are off, measured in wide arithmetic.
  *
  * The input (e, window, frame) is taken as the exact numbers that it is; what follows from
  * it is computed again with 32 digits, and compared.
@@ -7,12 +7,12 @@
  *   double frame_error(f, target, up)       |u - exact u|: radians, if small
  *   camera_frame frame_first(e, target, up) that of first.h
  */
-#ifndef CAMERA_LAB_ORACLE_H
-#define CAMERA_LAB_ORACLE_H
+#ifndef CAMERA_ORACLE_H
+#define CAMERA_ORACLE_H
 
-#include "../../../common/numbers/wide.h"
-#include "../camera.h"
-#include "../first.h"
+#include "../chapters/02_camera/camera.h"
+#include "../chapters/02_camera/first.h"
+#include "../common/numbers/wide.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
