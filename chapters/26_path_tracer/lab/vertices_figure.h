@@ -140,7 +140,6 @@ static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
     const double column[5] = {0, 50, 130, 210, 300}, row = 34, below = -row * n;
     static const char *const title[5] = {"hit", "_β_~k~", "_w_~L~", "_w_~B~", "adds to _L_"};
     double sum = 0;
-    char text[64];
     for (int k = 0; k < 5; k++)
         figure_text(g, column[k], 0, 0, 0, FIGURE_LEFT, FIGURE_BLACK, title[k]);
     figure_line(g, 0, -12, 420, -12, FIGURE_GREY, 1, FIGURE_WHOLE);
@@ -150,9 +149,8 @@ static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
         figure_print(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.3f", (double)v[k].beta.y);
         figure_print(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", w);
         figure_print(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", 1 - w);
-        snprintf(text, sizeof text, v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind",
-                 gain);
-        figure_text(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY, text);
+        figure_print(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY,
+                     v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind", gain);
         sum += gain;
     }
     figure_line(g, 0, below - 12, 420, below - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
