@@ -16,8 +16,6 @@
 #include "leave_variants.h"
 
 enum { edge_ways = 3 };
-static const char *const edge_way[edge_ways] = {"both normals", "faded", "lifted"};
-
 typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -131,13 +129,9 @@ static inline void draw_terminator(const options *o)
     enum { gap = 6 };
     int size = o->quick ? 60 : 300;
     edge_ball b;
-    edge_view v[edge_ways];
-    panel p[edge_ways];
+    edge_view v[edge_ways] = {{&b, size, 0}, {&b, size, 1}, {&b, size, 2}};
+    panel p[] = {{"both normals", &v[0]}, {"faded", &v[1]}, {"lifted", &v[2]}};
     edge_ball_build(&b, 4);
-    for (int k = 0; k < edge_ways; k++) {
-        v[k] = (edge_view){&b, size, k};
-        p[k] = (panel){edge_way[k], &v[k]};
-    }
     panels_shape g = {edge_ways * (size + gap) - gap, size, edge_ways, 1, gap, 2, false};
     panels_draw(o, "18_shade_terminator.png", false, g, edge_colour, p);
     edge_ball_free(&b);
