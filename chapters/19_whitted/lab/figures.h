@@ -20,20 +20,17 @@ static inline figure_point figure_along(figure_point p, vec3 d, double t)
 }
 
 /* The fronts through points of the surface that lie `step` apart, at right angles to d; `side` is 1
- * where d comes from. Each is drawn from the surface to where the next ray of the beam is. */
-static inline void figure_fronts(figure *g, vec3 d, double step, int n, double side,
+ * above it, where d comes from, and -1 below. None is drawn beyond the edges of the drawing. */
+static inline void figure_fronts(figure *g, vec3 d, double step, int n, real side,
                                  const char *colour)
 {
+    vec3 across = vscale((vec3){-d.y, d.x, 0}, side);
+    double edge = across.x < 0 ? -3.6 : 3.6;
     for (int k = -n; k <= n; k++) {
         figure_point on = {k * step, 0};
-        double reach = 3.1 - 0.12 * fabs((double)k) * step;
-        vec3 across = {-d.y, d.x, 0};
-        if (side * (double)across.y < 0) across = vneg(across);
-        figure_point end = figure_along(on, across, reach * 0.72);
-        if (end.x < -3.6 || end.x > 3.6) {
-            double t = ((end.x < 0 ? -3.6 : 3.6) - on.x) / (double)across.x;
-            end = figure_along(on, across, t);
-        }
+        double reach = 2.232 - 0.0864 * fabs(on.x);
+        reach = fmin(reach, (edge - on.x) / (double)across.x);
+        figure_point end = figure_along(on, across, reach);
         figure_line(g, on.x, on.y, end.x, end.y, colour, 1, FIGURE_WHOLE);
     }
 }
