@@ -10,9 +10,7 @@
 #ifndef IMPLICIT_PICTURES_H
 #define IMPLICIT_PICTURES_H
 
-#include "../../../common/output.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
+#include "../../../common/lab/panels.h"
 #include "../../02_camera/camera.h"
 #include "implicit_trials.h"
 
@@ -139,19 +137,17 @@ static inline void implicit_draw_missed(const options *o)
     const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, implicit_sure};
     enum { gap = 6, width = 477 };
     if (o->out) return;
-    image sheet = label_sheet(2 * width + gap, o->quick ? 60 : 316);
-    image one = image_new(width, sheet.height);
+    image sheet = {0}, one = image_new(width, o->quick ? 60 : 316);
     bool whole = true;
     for (int k = 0; k < 2 && whole; k++) {
         implicit_view v = implicit_view_at(implicit_subject_of(IMPLICIT_BARTH), how[k],
                                            vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
         v.judge = k == 0;
         whole = implicit_render(&v, o->samples < 4 ? o->samples : 4, o->threads, &one);
-        image_place(&sheet, k * (width + gap), 0, &one);
+        label_panel(&sheet, 2, 1, gap, k, &one);
     }
-    label_titles(&sheet, 2, 1, gap, title);
-    output_picture(o, &sheet, "05_implicit_missed.png", false, whole);
-    image_free(&sheet), image_free(&one);
+    panels_save(o, &sheet, 2, 1, gap, title, "05_implicit_missed.png", whole);
+    image_free(&one);
 }
 
 #endif
