@@ -14,8 +14,7 @@ enum { boxes_balls = 10, boxes_most = 32 };
 static const double boxes_ball[boxes_balls][3] = {  /* x, y, radius */
     {1.1, 1.2, 0.55}, {2.4, 0.9, 0.4}, {1.7, 2.7, 0.45}, {1.0, 5.9, 0.5}, {2.5, 5.2, 0.45},
     {5.6, 2.4, 0.55}, {6.9, 1.0, 0.45}, {8.3, 3.0, 0.5}, {7.1, 5.5, 0.6}, {8.6, 4.6, 0.4}};
-static const char *const boxes_colour[4] = {FIGURE_BLACK, FIGURE_BLUE, FIGURE_GREEN,
-                                             FIGURE_PURPLE};
+static const char *const boxes_colour[4] = {FIGURE_BLACK, FIGURE_BLUE, FIGURE_GREEN, FIGURE_PURPLE};
 
 typedef enum { BOXES_UNSEEN, BOXES_MISSED, BOXES_DROPPED, BOXES_ENTERED } boxes_state;
 

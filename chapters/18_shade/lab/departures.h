@@ -72,8 +72,7 @@ static inline shape departure_shape(departure_kind kind, real size, vec3 c, rand
 }
 
 /* A point in about the middle of it, to aim at. */
-static inline vec3 departure_target(const shape *s, vec3 c, const vec3 corner[5],
-                                    random_stream *r)
+static inline vec3 departure_target(const shape *s, vec3 c, const vec3 corner[5], random_stream *r)
 {
     real a = random_next(r), b = random_next(r);
     if (a + b > 1) a = 1 - a, b = 1 - b;

@@ -69,10 +69,8 @@ static inline void draw_wavefronts(const options *o)
     figure_text(&g, out.x, out.y, 8, -4, FIGURE_LEFT, FIGURE_BLACK, "*w*");
     figure_text(&g, 0, 2.2, 6, -4, FIGURE_LEFT, FIGURE_GREY, "*n*");
     figure_text(&g, step / 2, 0, 0, -18, FIGURE_MIDDLE, FIGURE_BLACK, "_a_");
-    figure_text(&g, 1.57, 0.35, 0, 0, FIGURE_LEFT, FIGURE_BLUE,
-                "_λ_ / _n_~1~ = _a_ sin _i_");
-    figure_text(&g, 1.02, -1.4, 0, 0, FIGURE_LEFT, FIGURE_RED,
-                "_λ_ / _n_~2~ = _a_ sin _t_");
+    figure_text(&g, 1.57, 0.35, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "_λ_ / _n_~1~ = _a_ sin _i_");
+    figure_text(&g, 1.02, -1.4, 0, 0, FIGURE_LEFT, FIGURE_RED, "_λ_ / _n_~2~ = _a_ sin _t_");
     figure_text(&g, -3.6, 2.3, 0, -4, FIGURE_LEFT, FIGURE_BLACK, "air, _n_~1~ = 1");
     figure_text(&g, -3.6, -2.3, 0, 2, FIGURE_LEFT, FIGURE_BLACK, "glass, _n_~2~ = 1.5");
     figure_end(&g);

@@ -142,8 +142,7 @@ static inline void pixel_explain(const options *o, const char *text)
     vec3 L = pixel_visit(&t, x, &eye);
     s->w.log = NULL;
     vec3 due = whitted_ray(&again, r, (media_set){0});
-    if (!vzero(vsub(L, due)) || x->full
-        || memcmp(&t.counts, &again.counts, sizeof t.counts) != 0)
+    if (!vzero(vsub(L, due)) || x->full || memcmp(&t.counts, &again.counts, sizeof t.counts) != 0)
         die(1, "--pixel: this walk is not that of whitted.h");
     explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);
     printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);

@@ -61,8 +61,7 @@ static inline void angles_patch(figure *g)
     figure_text(g, xy[2], xy[3], 16, 24, FIGURE_LEFT, FIGURE_BLACK, "sin _θ_ d_φ_");
     figure_text(g, xy[6], xy[7], 10, 6, FIGURE_LEFT, FIGURE_BLACK, "d_θ_");
     figure_text(g, 0, 0.42, 6, 0, FIGURE_LEFT, FIGURE_BLACK, "_θ_");
-    figure_text(g, 0, 0, 30, 95, FIGURE_MIDDLE, FIGURE_BLACK,
-                "d_ω_ = sin _θ_ d_θ_ d_φ_");
+    figure_text(g, 0, 0, 30, 95, FIGURE_MIDDLE, FIGURE_BLACK, "d_ω_ = sin _θ_ d_θ_ d_φ_");
 }
 
 static inline void angles_beam(figure *g)
@@ -82,8 +81,7 @@ static inline void angles_beam(figure *g)
     figure_text(g, -0.16, 0.5, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "_θ_");
     figure_text(g, 0, 1.18, 8, 6, FIGURE_LEFT, FIGURE_BLACK, "*n*");
     figure_text(g, 0, 0, 0, 22, FIGURE_MIDDLE, FIGURE_BLUE, "d_A_");
-    figure_text(g, cx - out * dy, cy + out * dx, -8, 14, FIGURE_RIGHT, FIGURE_BLUE,
-                "cos _θ_ d_A_");
+    figure_text(g, cx - out * dy, cy + out * dx, -8, 14, FIGURE_RIGHT, FIGURE_BLUE, "cos _θ_ d_A_");
     figure_text(g, 0, 0, 0, 95, FIGURE_MIDDLE, FIGURE_BLACK, "the same power on more floor");
 }
 
