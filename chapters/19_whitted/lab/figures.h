@@ -11,7 +11,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { double x, y; } figure_point;
 static const double degree = 3.14159265358979 / 180;
 
 static inline figure_point figure_along(figure_point p, vec3 d, double t)
