@@ -76,7 +76,9 @@ static void test_panels(void)
     image im = image_new(2 * 60 + 4, 2 * 40 + 4);
     for (int y = 0; y < im.height; y++)
         for (int x = 0; x < im.width; x++) image_set(&im, x, y, vec(x / 200.0, y / 200.0, 0.5));
-    image sheet = label_panels(&im, 2, 2, 4, title);
+    image sheet = image_new(im.width, im.height);
+    image_place(&sheet, 0, 0, &im);
+    label_titles(&sheet, 2, 2, 4, title);
     double wrong = 0;
     for (int y = 0; y < 84; y++)
         for (int x = 0; x < 124; x++) {

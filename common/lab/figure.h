@@ -40,6 +40,7 @@ typedef struct {
     char path[512];
     double x, y, unit;          /* pixels: of (0, 0), of a unit */
 } figure;
+typedef struct { double x, y; } figure_point;  /* for who computes places */
 
 /* ---------------------------------------------------------------------------------------------- */
 /* path NULL: not wanted. */

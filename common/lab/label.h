@@ -5,10 +5,9 @@
  *                       is 0, 0.5 or 1; what sticks out of the picture is left out
  *   label_width("t_enter", size)                            [pixels]
  *   label_tag(&im, x, y, size, "first")                     black on white, upper left corner x, y
- *   image sheet = label_panels(&im, columns, rows, gap, title)   a white sheet with a title above
- *                       each panel, row by row; im holds columns x rows panels of one size, `gap`
- *                       pixels apart; image_free both
- *   label_titles(&im, columns, rows, gap, title)    the same, and the sheet takes the place of im
+ *   label_titles(&im, columns, rows, gap, title)    a white sheet with a title above each panel,
+ *                       row by row, takes the place of im, which holds columns x rows panels of one
+ *                       size, `gap` pixels apart
  *   label_panel(&im, columns, rows, gap, k, &one)   puts panel k there; im = {0} before the first
  *   image sheet = label_sheet(width, height)                white
  *   label_below(&im, rows)                                  so many white rows more, below
@@ -127,8 +126,7 @@ static inline image label_sheet(int width, int height)
     return sheet;
 }
 
-static inline image label_panels(const image *im, int columns, int rows, int gap,
-                                 const char *const *title)
+static inline void label_titles(image *im, int columns, int rows, int gap, const char *const *title)
 {
     enum { size = 12, strip = 26 };  /* of the titles [pixels] */
     int w = (im->width + gap) / columns, h = (im->height + gap) / rows;
@@ -140,12 +138,6 @@ static inline image label_panels(const image *im, int columns, int rows, int gap
                    (size_t)(w - gap) * 3 * sizeof(float));
         label_text(&sheet, x + (w - gap) / 2.0, y + 18, size, 0.5, vec(0, 0, 0), title[k]);
     }
-    return sheet;
-}
-
-static inline void label_titles(image *im, int columns, int rows, int gap, const char *const *title)
-{
-    image sheet = label_panels(im, columns, rows, gap, title);
     image_free(im), *im = sheet;
 }
 

@@ -4,6 +4,8 @@
  *   panels_shape g = {.width = 960, .height = 400, .columns = 2, .rows = 1, .gap = 6, .side = 2};
  *   panels_draw(&o, "03_sphere.png", true, g, colour, p);     names above; g.tags: in the panels
  *   image sheet = panels_new(&o, g, colour, p, &whole);       for who draws more into it
+ *   panels_save(&o, &sheet, 2, 1, 6, title, "21_box.png", whole);    of a sheet drawn otherwise
+ *                             (label_panel): its titles, a picture that is not the main one; freed
  *
  * `columns` x `rows` of them, `gap` pixels apart, fill width x height. colour: pixels.h, at side x
  * side places a pixel. Tags for which a small panel has no room are left out.
@@ -57,6 +59,14 @@ static inline void panels_draw(const options *o, const char *name, bool is_main,
     image sheet = panels_new(o, g, colour, p, &whole);
     output_picture(o, &sheet, name, is_main, whole);
     image_free(&sheet);
+}
+
+static inline void panels_save(const options *o, image *sheet, int columns, int rows, int gap,
+                               const char *const *title, const char *name, bool whole)
+{
+    label_titles(sheet, columns, rows, gap, title);
+    output_picture(o, sheet, name, false, whole);
+    image_free(sheet);
 }
 
 #endif

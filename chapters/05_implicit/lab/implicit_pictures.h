@@ -10,9 +10,7 @@
 #ifndef IMPLICIT_PICTURES_H
 #define IMPLICIT_PICTURES_H
 
-#include "../../../common/output.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
+#include "../../../common/lab/panels.h"
 #include "../../02_camera/camera.h"
 #include "implicit_trials.h"
 
@@ -142,9 +140,8 @@ static inline void implicit_draw_missed(const options *o)
         whole = implicit_render(v, o->samples < 4 ? o->samples : 4, o->threads, &one);
         label_panel(&sheet, 2, 1, gap, k, &one);
     }
-    label_titles(&sheet, 2, 1, gap, title);
-    output_picture(o, &sheet, "05_implicit_missed.png", false, whole);
-    image_free(&sheet), image_free(&one);
+    panels_save(o, &sheet, 2, 1, gap, title, "05_implicit_missed.png", whole);
+    image_free(&one);
 }
 
 #endif

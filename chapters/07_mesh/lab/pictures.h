@@ -129,11 +129,11 @@ static inline bool draw_slices(int side, int threads, image *im)
 {
 #define SLICE_TITLES "parity of hits", "parity of crossings", "winding number"
     static const char *const title[] = {SLICE_TITLES, SLICE_TITLES};
-    image panels = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
-    mesh_slices s = {torus_mesh(12), teapot_mesh(3), &panels, side};
+    *im = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
+    mesh_slices s = {torus_mesh(12), teapot_mesh(3), im, side};
     bool whole = parallel_pixels(side, 2 * side, threads, "slices", slice_pixel, &s);
-    *im = label_panels(&panels, 3, 2, slice_gap, title);
-    image_free(&panels), mesh_free(&s.ring), mesh_free(&s.teapot);
+    label_titles(im, 3, 2, slice_gap, title);
+    mesh_free(&s.ring), mesh_free(&s.teapot);
     return whole;
 }
 

@@ -10,7 +10,7 @@
 #define ORDERS_DRAW_H
 
 #include "../../../common/lab/figure.h"
-#include "../../../common/lab/label.h"
+#include "../../../common/lab/panels.h"
 #include "../shadow_map.h"
 #include "orders.h"
 
@@ -88,10 +88,8 @@ static inline void orders_draw_flat(const options *o)
         wrong[k] = vlength(vsub(image_get(&im, k % w, k / w),  /* more than other shades */
                                 image_get(&im, w + orders_gap + k % w, k / w))) > (real)0.2;
     orders_panel(&im, 2 * (w + orders_gap), 0, &t, &m, c, NULL, wrong);
-    label_titles(&im, 3, 1, orders_gap, title);
-    output_picture(o, &im, "08_object_order_flat.png", false, true);
-    free(wrong), image_free(&im), raster_free(&s), raster_free(&t);
-    mesh_free(&m);
+    panels_save(o, &im, 3, 1, orders_gap, title, "08_object_order_flat.png", true);
+    free(wrong), raster_free(&s), raster_free(&t), mesh_free(&m);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -137,9 +135,8 @@ static inline void orders_draw_shadow(const options *o)
                      i ? dark : due, wrong);
         shadow_map_free(&t);
     }
-    label_titles(&im, 2, 2, orders_gap, title);
-    output_picture(o, &im, "08_object_order_shadow.png", false, true);
-    free(dark), free(wrong), free(due), image_free(&im), raster_free(&s), mesh_free(&m);
+    panels_save(o, &im, 2, 2, orders_gap, title, "08_object_order_shadow.png", true);
+    free(dark), free(wrong), free(due), raster_free(&s), mesh_free(&m);
 }
 
 /* Pixels that show the mirror take what the mirrored camera sees there. */

@@ -14,8 +14,7 @@ enum { boxes_balls = 10, boxes_most = 32 };
 static const double boxes_ball[boxes_balls][3] = {  /* x, y, radius */
     {1.1, 1.2, 0.55}, {2.4, 0.9, 0.4}, {1.7, 2.7, 0.45}, {1.0, 5.9, 0.5}, {2.5, 5.2, 0.45},
     {5.6, 2.4, 0.55}, {6.9, 1.0, 0.45}, {8.3, 3.0, 0.5}, {7.1, 5.5, 0.6}, {8.6, 4.6, 0.4}};
-static const char *const boxes_colour[4] = {FIGURE_BLACK, FIGURE_BLUE, FIGURE_GREEN,
-                                             FIGURE_PURPLE};
+static const char *const boxes_colour[4] = {FIGURE_BLACK, FIGURE_BLUE, FIGURE_GREEN, FIGURE_PURPLE};
 
 typedef enum { BOXES_UNSEEN, BOXES_MISSED, BOXES_DROPPED, BOXES_ENTERED } boxes_state;
 
@@ -26,8 +25,9 @@ typedef struct {
     boxes_state state[boxes_most];  /* [node] */
     int turn[boxes_most];           /* [node] a leaf's place in that order, from 1; 0: not asked */
     double column[boxes_most];      /* [node] */
-    int depth[boxes_most];
+    int depth[boxes_most], deepest;
     char name[boxes_most];
+    int names, leaves;              /* so far */
 } boxes_figure;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -44,17 +44,16 @@ static inline bool boxes_leaf(const void *context, uint32_t first, uint32_t coun
 static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, float limit,
                                bool seen, int depth)
 {
-    static int columns, names;
     const bvh_node *n = &x->b->tree.node[at];
     float exit, enter = box_enter(&n->box, q, INFINITY, &exit);
-    if (at == 0) columns = 0, names = 0;
-    x->depth[at] = depth, x->name[at] = (char)('A' + names++);
+    x->depth[at] = depth, x->name[at] = (char)('A' + x->names++);
+    if (depth > x->deepest) x->deepest = depth;
     x->state[at] = !seen ? BOXES_UNSEEN : enter > exit ? BOXES_MISSED
                  : enter > limit ? BOXES_DROPPED : BOXES_ENTERED;
     for (int i = 0; n->count && i < x->n; i++)
         if (x->asked[i] == n->first) x->turn[at] = i + 1, x->state[at] = BOXES_ENTERED;
     if (n->count) {
-        x->column[at] = columns++;
+        x->column[at] = x->leaves++;
         return;
     }
     seen = x->state[at] == BOXES_ENTERED;
@@ -64,12 +63,12 @@ static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, f
 }
 
 /* The boxes, a little apart so that common sides are two lines. */
-static inline void boxes_boxes(figure *g, const boxes_figure *x, int deepest)
+static inline void boxes_boxes(figure *g, const boxes_figure *x)
 {
     for (uint32_t i = 0; i < x->b->tree.nodes; i++) {
         const float *s = x->b->tree.node[i].box.side;
         int depth = x->depth[i];
-        double out = 5.0 * (deepest - depth) / g->unit, lo[2], hi[2];
+        double out = 5.0 * (x->deepest - depth) / g->unit, lo[2], hi[2];
         if (i == 1) continue;
         for (int k = 0; k < 2; k++) lo[k] = (double)s[k] - out, hi[k] = (double)s[3 + k] + out;
         double xy[8] = {lo[0], lo[1], hi[0], lo[1], hi[0], hi[1], lo[0], hi[1]};
@@ -130,7 +129,6 @@ static inline void draw_nested(const options *o)
     boxes_figure x = {.b = &b}, *context = &x;
     ray r = ray_from(vec(-0.4, 1.602, 0), vec(1, 0.12, 0));
     hit h = hit_none;
-    int deepest = 0;
     for (int i = 0; i < boxes_balls; i++)
         ball[i] = shape_of_sphere((sphere){vec(boxes_ball[i][0], boxes_ball[i][1], 0),
                                            (real)boxes_ball[i][2]});
@@ -138,10 +136,8 @@ static inline void draw_nested(const options *o)
     tree_search(&b.tree, r, box_ray_of, boxes_leaf, &context, false, &h, NULL);
     box_ray q = box_ray_of(r, &b.tree.node[0].box, NULL);
     boxes_judge(&x, 0, &q, box_ray_limit(&q, h.t), true, 0);
-    for (uint32_t i = 0; i < b.tree.nodes; i++)
-        deepest = x.depth[i] > deepest ? x.depth[i] : deepest;
     figure_origin(&g, 40, 356, 46);
-    boxes_boxes(&g, &x, deepest);
+    boxes_boxes(&g, &x);
     for (int i = 0; i < boxes_balls; i++) {
         const double *c = boxes_ball[i];
         double ring[64];
@@ -153,13 +149,13 @@ static inline void draw_nested(const options *o)
         figure_print(&g, c[0], c[1], 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, "%d", i + 1);
     }
     vec3 p = ray_at(r, h.t), end = ray_at(r, (real)10.2);
-    figure_line(&g, (double)r.o.x, (double)r.o.y, (double)p.x, (double)p.y, FIGURE_RED, 2.5,
-                FIGURE_WHOLE);
-    figure_arrow(&g, (double)p.x, (double)p.y, (double)end.x, (double)end.y, FIGURE_RED, 1);
-    figure_dot(&g, (double)p.x, (double)p.y, 5, FIGURE_RED);
-    figure_dot(&g, (double)r.o.x, (double)r.o.y, 4, FIGURE_RED);
-    figure_text(&g, (double)r.o.x, (double)r.o.y, -6, 22, FIGURE_LEFT, FIGURE_RED, "*o*");
-    figure_text(&g, (double)p.x, (double)p.y, -8, -10, FIGURE_RIGHT, FIGURE_RED, "_t_~hit~");
+    double ox = (double)r.o.x, oy = (double)r.o.y, px = (double)p.x, py = (double)p.y;
+    figure_line(&g, ox, oy, px, py, FIGURE_RED, 2.5, FIGURE_WHOLE);
+    figure_arrow(&g, px, py, (double)end.x, (double)end.y, FIGURE_RED, 1);
+    figure_dot(&g, px, py, 5, FIGURE_RED);
+    figure_dot(&g, ox, oy, 4, FIGURE_RED);
+    figure_text(&g, ox, oy, -6, 22, FIGURE_LEFT, FIGURE_RED, "*o*");
+    figure_text(&g, px, py, -8, -10, FIGURE_RIGHT, FIGURE_RED, "_t_~hit~");
     figure_origin(&g, 556, 62, 1);
     boxes_tree(&g, &x);
     figure_end(&g);

@@ -13,7 +13,6 @@
 #define BVH_GREED_H
 
 #include "../../../common/lab/report.h"
-#include "../../../common/lab/table.h"
 #include "../../07_mesh/scenes/soup.h"
 #include "../bvh_mesh.h"
 #include "../cost.h"

@@ -60,12 +60,6 @@ static inline int rows_of_rules(trial_row *row, bool of_page)
     return n;
 }
 
-static inline int rows_of_all_rules(trial_row *row)
-{
-    int n = rows_of_rules(row, true);
-    return n + rows_of_rules(row + n, false);
-}
-
 static inline void table_of_rules(const options *o, const trial_scene *s)
 {
     static const bool yes = true, no = false;
@@ -133,7 +127,8 @@ static inline void table_of_slivers(const options *o)
         "rule|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
     trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
     s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
-    int n = rows_of_all_rules(row);
+    int n = rows_of_rules(row, true);
+    n += rows_of_rules(row + n, false);
     trials_run(row, n, &s, 5);
     for (int i = 0; i < n; i++) {
         const bvh_tree *t = bvh_tree_of(row[i].built);

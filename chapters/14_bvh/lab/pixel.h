@@ -24,7 +24,6 @@ typedef struct { uint32_t node; int depth; double enter, exit; pixel_fate fate; 
 enum { pixel_most_rows = 400 };
 typedef struct {
     const bvh_mesh *b;
-    const mesh *m;
     box_ray ray;
     query q;
     search_work work;
@@ -162,7 +161,7 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
     snprintf(title, sizeof title, "Pixel %d, %d of %d x %d: its ray along _t_", xy[0], xy[1],
              o->width, o->height);
     pixel_walk *w = allocate(1, sizeof *w);
-    w->b = &b, w->m = m, w->q = query_of(r);
+    w->b = &b, w->q = query_of(r);
 
     printf("# The ray of pixel %d, %d of %d x %d, %zu triangles\n", xy[0], xy[1], o->width,
            o->height, m->triangles);

@@ -88,12 +88,6 @@ static inline double method_search(void *context)
     return (double)hits;
 }
 
-/* ns[k]: of a ray. */
-static inline void methods_time(instances_method *m, int n, int rounds, double *ns)
-{
-    bench_each(method_search, m, sizeof *m, n, rounds, 1e9 / (double)m->s->eye.n, ns);
-}
-
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
  * many have another answer than every instance asked in turn. Flattened, t alone is compared,
  * within 64 epsilon of the largest coordinate: at a corner it may well be another triangle. */
@@ -159,7 +153,8 @@ static inline void table_of_methods(const options *o)
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
     methods_wrong(m, n, earth, corners, o->seed, far);
     for (int i = 0; i < n; i++) m[i].s = &s, method_build(&m[i], &s.c);
-    methods_time(m, n, o->quick ? 1 : o->full ? 5 : 3, eye);
+    bench_each(method_search, m, sizeof *m, n, o->quick ? 1 : o->full ? 5 : 3,
+               1e9 / (double)s.eye.n, eye);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
              "answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles, s.eye.n, corners);
@@ -193,7 +188,8 @@ static inline void table_of_growth(const options *o)
         double ns, entered, tests;
         survey_make(&s, n, o);
         instances_method two = {.x = s.x, .s = &s}, flat = {.flat = true, .s = &s};
-        methods_time(&two, 1, o->quick ? 1 : 5, &ns);
+        bench_each(method_search, &two, sizeof two, 1, o->quick ? 1 : 5, 1e9 / (double)s.eye.n,
+                   &ns);
         method_work(&two, &entered, &tests);
         double triangles = instances_stats(&s.x).triangles;
         if (n <= 100) {

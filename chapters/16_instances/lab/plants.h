@@ -68,12 +68,6 @@ static inline void plant_leaf(plant *p, vec3 a, vec3 b, vec3 c, vec3 middle)
     plant_triangle(p, a, b, c, n[0], n[1], n[2]);
 }
 
-static inline vec3 plant_direction(random_stream *g)
-{
-    real z = random_between(g, -1, 1), phi = random_between(g, 0, 2 * pi), s = sqrt(1 - z * z);
-    return (vec3){s * cos(phi), s * sin(phi), z};
-}
-
 /* One branch of a fir: it hangs, and carries needles to both sides, shorter towards its tip. */
 static inline void plant_fir_branch(plant *p, vec3 foot, vec3 out, real length, real hang)
 {
@@ -141,9 +135,10 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
     if (!leaves) plant_stem(p, a, radius, b, radius * (real)0.62);
     if (leaves && level >= h->levels - 2)
         for (int k = 0; k < h->leaves; k++) {
-            vec3 at = vmadd(vmadd(a, d, length * random_between(g, 0.3, 1.1)),
-                            plant_direction(g), length * (real)0.55 * random_next(g));
-            vec3 x = plant_direction(g), y = vcross(x, plant_direction(g));
+            real off = length * (real)0.55 * random_next(g);
+            vec3 aside = vscale(random_unit(g), off);
+            vec3 at = vadd(vmadd(a, d, length * random_between(g, 0.3, 1.1)), aside);
+            vec3 x = random_unit(g), y = vcross(x, random_unit(g));
             plant_leaf(p, at, vmadd(at, x, h->leaf_size),
                        vmadd(vmadd(at, x, h->leaf_size / 2), y, h->leaf_size), h->middle);
         }
@@ -155,9 +150,9 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
         real angle = 2 * pi * ((real)k + random_between(&own, 0, 0.8)) / (real)h->children;
         vec3 e = vmadd(vmadd(d, s, h->spread * cos(angle)), t, h->spread * sin(angle));
         e.z += h->up;
-        plant_branch(p, &own, h, vmadd(a, d, length * random_between(&own, 0.75, 1)), vunit(e),
-                     length * random_between(&own, 0.62, 0.8), radius * (real)0.6,
-                     level + 1, leaves);
+        real shorter = length * random_between(&own, 0.62, 0.8);
+        vec3 foot = vmadd(a, d, length * random_between(&own, 0.75, 1));
+        plant_branch(p, &own, h, foot, vunit(e), shorter, radius * (real)0.6, level + 1, leaves);
     }
 }
 

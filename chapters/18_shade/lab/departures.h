@@ -72,8 +72,7 @@ static inline shape departure_shape(departure_kind kind, real size, vec3 c, rand
 }
 
 /* A point in about the middle of it, to aim at. */
-static inline vec3 departure_target(const shape *s, vec3 c, const vec3 corner[5],
-                                    random_stream *r)
+static inline vec3 departure_target(const shape *s, vec3 c, const vec3 corner[5], random_stream *r)
 {
     real a = random_next(r), b = random_next(r);
     if (a + b > 1) a = 1 - a, b = 1 - b;
@@ -106,8 +105,8 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         vec3 c = vscale(random_unit(&s), T);
         x->s = departure_shape(kind, size, c, &s, x->corner);
         if (kind == DEPART_POLYGON) x->s.polygon.v = x->corner;
-        vec3 from = i % 2 ? vmadd(c, random_unit(&s), size * (2 + 10 * random_next(&s)))
-                          : vscale(random_unit(&s), real_max(T / 2, 3 * size));
+        real away = i % 2 ? size * (2 + 10 * random_next(&s)) : real_max(T / 2, 3 * size);
+        vec3 from = vmadd(i % 2 ? c : (vec3){0, 0, 0}, random_unit(&s), away);
         x->r = ray_between(from, departure_target(&x->s, c, x->corner, &s));
         x->r.tmax = real_infinity;
         if (!shape_hit(x->s, x->r, &x->h)) continue;

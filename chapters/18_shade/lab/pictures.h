@@ -9,16 +9,13 @@
 #define SHADE_LAB_PICTURES_H
 
 #include "../../../common/lab/figure.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../../07_mesh/scenes/specimens.h"
 #include "../terminator.h"
 #include "gallery.h"
 #include "leave_variants.h"
 
 enum { edge_ways = 3 };
-static const char *const edge_way[edge_ways] = {"both normals", "faded", "lifted"};
-
 typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -62,7 +59,7 @@ static inline void draw_acne(const options *o)
     const real T = 10000;
     int w = o->quick ? 96 : 400, h = w * 9 / 16;
     gallery *g = gallery_new(o->quick ? 6 : 24, T);
-    image all = label_sheet(2 * w + 6, 2 * h + 6), im = image_new(w, h);
+    image sheet = {0}, im = image_new(w, h);
     bool whole = true;
     for (int k = 0; k < 4 && whole; k++) {
         gallery_view v = {.g = g, .how = gallery_shading(g), .samples = o->quick ? 1 : 2,
@@ -71,13 +68,12 @@ static inline void draw_acne(const options *o)
         if (k % 2 == 0) v.how.leave = k ? leave_fixed_3e2 : leave_first;
         v.c = gallery_camera(T, (real)w / (real)h, k >= 2);
         whole = gallery_draw(&v, o->threads);
-        image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
+        label_panel(&sheet, 2, 2, 6, k, &im);
     }
     static const char *const title[] = {"float, tmin = 1e-4: acne", "leave", "tmin = 0.03: leaks",
                                         "leave"};
-    label_titles(&all, 2, 2, 6, title);
-    output_picture(o, &all, "18_shade_acne.png", false, whole);
-    image_free(&all), image_free(&im), gallery_free(g);
+    panels_save(o, &sheet, 2, 2, 6, title, "18_shade_acne.png", whole);
+    image_free(&im), gallery_free(g);
 }
 
 /* ---- the edge of light ---- */
@@ -116,29 +112,29 @@ static inline real edge_light(const edge_ball *b, real x, real y, int way, vec3 
     return !answer.lit ? 0 : way == 1 ? at.E.x * terminator_fade(s.n, s.ns, at.l) : at.E.x;
 }
 
-typedef struct { edge_ball b; int size, gap; } edge_view;
+typedef struct { const edge_ball *b; int size, way; } edge_view;
 
 static inline vec3 edge_colour(const void *context, real x, real y)
 {
     const edge_view *v = context;
-    int way = (int)x / (v->size + v->gap);
-    real s = (real)2.1 / (real)v->size, at = x - (real)(way * (v->size + v->gap));
+    real s = (real)2.1 / (real)v->size;
     vec3 p;
-    if (at > (real)v->size) return (vec3){1, 1, 1};
-    real E = edge_light(&v->b, at * s - (real)1.05, (real)1.05 - y * s, way, &p);
+    real E = edge_light(v->b, x * s - (real)1.05, (real)1.05 - y * s, v->way, &p);
     real grey = E < 0 ? (real)0.7 : (real)0.02 + (real)0.75 * E;
     return (vec3){grey, grey, grey};
 }
 
 static inline void draw_terminator(const options *o)
 {
-    edge_view v = {.size = o->quick ? 60 : 300, .gap = 6};
-    image im = image_new(edge_ways * (v.size + v.gap) - v.gap, v.size);
-    edge_ball_build(&v.b, 4);
-    bool whole = pixels_draw(&im, 2, o->threads, "edge of light", edge_colour, &v);
-    label_titles(&im, edge_ways, 1, v.gap, edge_way);
-    output_picture(o, &im, "18_shade_terminator.png", false, whole);
-    image_free(&im), edge_ball_free(&v.b);
+    enum { gap = 6 };
+    int size = o->quick ? 60 : 300;
+    edge_ball b;
+    edge_view v[edge_ways] = {{&b, size, 0}, {&b, size, 1}, {&b, size, 2}};
+    panel p[] = {{"both normals", &v[0]}, {"faded", &v[1]}, {"lifted", &v[2]}};
+    edge_ball_build(&b, 4);
+    panels_shape g = {edge_ways * (size + gap) - gap, size, edge_ways, 1, gap, 2, false};
+    panels_draw(o, "18_shade_terminator.png", false, g, edge_colour, p);
+    edge_ball_free(&b);
 }
 
 /* ---- one beam, three patches ---- */

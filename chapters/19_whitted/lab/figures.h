@@ -11,7 +11,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { double x, y; } figure_point;
+static const double degree = 3.14159265358979 / 180;
 
 static inline figure_point figure_along(figure_point p, vec3 d, double t)
 {
@@ -19,32 +19,29 @@ static inline figure_point figure_along(figure_point p, vec3 d, double t)
 }
 
 /* The fronts through points of the surface that lie `step` apart, at right angles to d; `side` is 1
- * where d comes from. Each is drawn from the surface to where the next ray of the beam is. */
-static inline void figure_fronts(figure *g, vec3 d, double step, int n, double side,
+ * above it, where d comes from, and -1 below. None is drawn beyond the edges of the drawing. */
+static inline void figure_fronts(figure *g, vec3 d, double step, int n, real side,
                                  const char *colour)
 {
+    vec3 across = vscale((vec3){-d.y, d.x, 0}, side);
+    double edge = across.x < 0 ? -3.6 : 3.6;
     for (int k = -n; k <= n; k++) {
         figure_point on = {k * step, 0};
-        double reach = 3.1 - 0.12 * fabs((double)k) * step;
-        vec3 across = {-d.y, d.x, 0};
-        if (side * (double)across.y < 0) across = vneg(across);
-        figure_point end = figure_along(on, across, reach * 0.72);
-        if (end.x < -3.6 || end.x > 3.6) {
-            double t = ((end.x < 0 ? -3.6 : 3.6) - on.x) / (double)across.x;
-            end = figure_along(on, across, t);
-        }
+        double reach = 2.232 - 0.0864 * fabs(on.x);
+        reach = fmin(reach, (edge - on.x) / (double)across.x);
+        figure_point end = figure_along(on, across, reach);
         figure_line(g, on.x, on.y, end.x, end.y, colour, 1, FIGURE_WHOLE);
     }
 }
 
 static inline void draw_wavefronts(const options *o)
 {
-    const double n1 = 1, n2 = 1.5, angle = 50 * 3.14159265358979 / 180, step = 1.2;
+    const double n1 = 1, n2 = 1.5, angle = 50 * degree, step = 1.2;
     vec3 d = vec(sin(angle), -cos(angle), 0), up = {0, 1, 0};
     snell s;
     snell_of(d, up, (real)n1, (real)n2, &s);
     vec3 w = snell_refract(&s, d, up);
-    double bent = asin((double)w.x) * 180 / 3.14159265358979;
+    double bent = asin((double)w.x) / degree;
     figure g = figure_begin(o, "19_whitted_snell.svg", 760, 500);
     figure_origin(&g, 380, 250, 100);
     double glass[8] = {-3.7, 0, 3.7, 0, 3.7, -2.4, -3.7, -2.4};
@@ -63,7 +60,7 @@ static inline void draw_wavefronts(const options *o)
     figure_point in = figure_along(a, d, -2.3), out = figure_along(a, w, 2.3);
     figure_arrow(&g, in.x, in.y, 0, 0, FIGURE_BLACK, 1.5);
     figure_arrow(&g, 0, 0, out.x, out.y, FIGURE_BLACK, 1.5);
-    figure_arc(&g, 0, 0, 60, 90, 90 + angle * 180 / 3.14159265358979, FIGURE_BLACK, 1);
+    figure_arc(&g, 0, 0, 60, 90, 90 + angle / degree, FIGURE_BLACK, 1);
     figure_arc(&g, 0, 0, 60, 270, 270 + bent, FIGURE_BLACK, 1);
     figure_text(&g, -0.36, 0.72, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "_i_");
     figure_text(&g, 0.2, -0.78, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "_t_");
@@ -71,10 +68,8 @@ static inline void draw_wavefronts(const options *o)
     figure_text(&g, out.x, out.y, 8, -4, FIGURE_LEFT, FIGURE_BLACK, "*w*");
     figure_text(&g, 0, 2.2, 6, -4, FIGURE_LEFT, FIGURE_GREY, "*n*");
     figure_text(&g, step / 2, 0, 0, -18, FIGURE_MIDDLE, FIGURE_BLACK, "_a_");
-    figure_text(&g, 1.57, 0.35, 0, 0, FIGURE_LEFT, FIGURE_BLUE,
-                "_λ_ / _n_~1~ = _a_ sin _i_");
-    figure_text(&g, 1.02, -1.4, 0, 0, FIGURE_LEFT, FIGURE_RED,
-                "_λ_ / _n_~2~ = _a_ sin _t_");
+    figure_text(&g, 1.57, 0.35, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "_λ_ / _n_~1~ = _a_ sin _i_");
+    figure_text(&g, 1.02, -1.4, 0, 0, FIGURE_LEFT, FIGURE_RED, "_λ_ / _n_~2~ = _a_ sin _t_");
     figure_text(&g, -3.6, 2.3, 0, -4, FIGURE_LEFT, FIGURE_BLACK, "air, _n_~1~ = 1");
     figure_text(&g, -3.6, -2.3, 0, 2, FIGURE_LEFT, FIGURE_BLACK, "glass, _n_~2~ = 1.5");
     figure_end(&g);
@@ -84,7 +79,7 @@ static inline void draw_wavefronts(const options *o)
  * as thick as R. */
 static inline void figure_out_of_water(figure *g, figure_point lamp, double degrees)
 {
-    double a = degrees * 3.14159265358979 / 180;
+    double a = degrees * degree;
     vec3 d = vec(sin(a), cos(a), 0), down = {0, -1, 0};
     snell s;
     bool bends = snell_of(d, down, (real)1.33, 1, &s);
@@ -99,10 +94,8 @@ static inline void figure_out_of_water(figure *g, figure_point lamp, double degr
     figure_line(g, on.x, on.y, below.x, below.y, colour, 0.3 + 3 * R, FIGURE_DASHED);
     if (!bends) return;
     figure_point out = figure_along(on, snell_refract(&s, d, down), 1.55);
-    char text[64];
     figure_arrow(g, on.x, on.y, out.x, out.y, FIGURE_BLUE, 0.3 + 3 * (1 - R));
-    snprintf(text, sizeof text, "%.0f %%", 100 * (1 - R));
-    figure_text(g, out.x, out.y, 8, 4, FIGURE_LEFT, FIGURE_BLUE, text);
+    figure_print(g, out.x, out.y, 8, 4, FIGURE_LEFT, FIGURE_BLUE, "%.0f %%", 100 * (1 - R));
 }
 
 static inline void draw_critical(const options *o)
@@ -119,7 +112,7 @@ static inline void draw_critical(const options *o)
     double at = -lamp.y * tan(critical);
     figure_line(&g, lamp.x, lamp.y, at, 0, FIGURE_BLACK, 1, FIGURE_DASHED);
     figure_line(&g, 0, lamp.y, 0, 0, FIGURE_GREY, 1, FIGURE_DASHED);
-    figure_arc(&g, lamp.x, lamp.y, 46, 90 - critical * 180 / 3.14159265358979, 90, FIGURE_BLACK, 1);
+    figure_arc(&g, lamp.x, lamp.y, 46, 90 - critical / degree, 90, FIGURE_BLACK, 1);
     figure_text(&g, -0.1, lamp.y + 0.5, 0, 0, FIGURE_RIGHT, FIGURE_BLACK, "_i_~c~ = 48.8°");
     figure_dot(&g, lamp.x, lamp.y, 6, FIGURE_ORANGE);
     figure_text(&g, lamp.x, lamp.y, -12, -5, FIGURE_RIGHT, FIGURE_BLACK, "a lamp");

@@ -97,21 +97,20 @@ static inline void table_of_first(const options *o)
     first_world *x = first_world_new(&s, 8);
     int w = o->quick ? 64 : 480, h = w * 5 / 8;
     first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
-    bench_candidate v[2] = {{"first", first_picture_draw, &p[0], 0, 0},
-                            {"whitted", first_picture_draw, &p[1], 0, 0}};
-    bench_time(v, 2, o->quick ? 1 : 5);
+    double ns[2];
+    bench_each(first_picture_draw, p, sizeof *p, 2, o->quick ? 1 : 5, 1e9 / ((double)w * h), ns);
     table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
                         "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
     for (int k = 0; k < 2; k++) {
         image_difference d = image_compare(&p[k].im, &p[1].im);
-        size_t pixels = (size_t)w * (size_t)h, off = 0;
-        for (size_t i = 0; i < pixels; i++) {
-            const float *a = p[k].im.rgb + 3 * i, *b = p[1].im.rgb + 3 * i;
-            off += fmax(fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])), fabs(a[2] - b[2])) > 1e-6f;
+        size_t off = 0;
+        for (int i = 0; i < w * h; i++) {
+            vec3 a = image_get(&p[k].im, i % w, i / w), b = image_get(&p[1].im, i % w, i / w);
+            vec3 by = vsub(a, b);
+            off += fabs(vaxis(by, vlongest(by))) > (real)1e-6;
         }
-        table_text(&t, "%s", v[k].name), table_count(&t, off);
-        table_number(&t, d.rmse), table_number(&t, d.maximum);
-        table_number(&t, v[k].seconds * 1e9 / (double)pixels);
+        table_text(&t, k ? "whitted" : "first"), table_count(&t, off);
+        table_number(&t, d.rmse), table_number(&t, d.maximum), table_number(&t, ns[k]);
     }
     output_extra_table(o, &t);
     image_free(&p[0].im), image_free(&p[1].im), first_world_free(x);

@@ -7,8 +7,7 @@
 #ifndef WHITTED_LAB_PICTURES_H
 #define WHITTED_LAB_PICTURES_H
 
-#include "../../../common/lab/label.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../scenes/forty.h"
 #include "tank.h"
 #include "two_spheres.h"
@@ -78,16 +77,15 @@ static inline void draw_panels(const options *o, const char *name, whitted_stage
 {
     int h = w * 3 / 4, rows = n / 2;
     bool whole = true;
-    image all = label_sheet(2 * w + 6, rows * (h + 6) - 6), im = image_new(w, h);
+    image sheet = {0}, im = image_new(w, h);
     for (int i = 0; i < n && whole; i++) {
         whitted_view v = {.t = stage_tracer(s), .c = c, .im = &im, .across = o->quick ? 1 : 2};
         v.t.user = &how[i];
         whole = whitted_draw(&v, o->threads);
-        image_place(&all, i % 2 * (w + 6), i / 2 * (h + 6), &im);
+        label_panel(&sheet, 2, rows, 6, i, &im);
     }
-    label_titles(&all, 2, rows, 6, title);
-    output_picture(o, &all, name, false, whole);
-    image_free(&im), image_free(&all), stage_end(s), free(s);
+    panels_save(o, &sheet, 2, rows, 6, title, name, whole);
+    image_free(&im), stage_end(s), free(s);
 }
 
 static inline void draw_tank(const options *o)

@@ -111,7 +111,7 @@ static inline vec3 pixel_visit(tracer *t, const ray_tree *x, whitted_branch *b)
     }
     pixel_hit(x, b, &p, deep);
     vec3 L = whitted_shade(t, b, &p), told = pixel_lamps(w, x, b, &p, deep);
-    if (L.x != told.x || L.y != told.y || L.z != told.z)
+    if (!vzero(vsub(L, told)))
         die(1, "--pixel: what was told of the lamps is not what shade did");
     pixel_adds(deep, "(18.8)", b->weight, p.left, L);
     int wanted = pixel_shares(w, b, &p, deep), n = whitted_children(w, b, &p, child);
@@ -142,8 +142,7 @@ static inline void pixel_explain(const options *o, const char *text)
     vec3 L = pixel_visit(&t, x, &eye);
     s->w.log = NULL;
     vec3 due = whitted_ray(&again, r, (media_set){0});
-    if (L.x != due.x || L.y != due.y || L.z != due.z || x->full
-        || memcmp(&t.counts, &again.counts, sizeof t.counts) != 0)
+    if (!vzero(vsub(L, due)) || x->full || memcmp(&t.counts, &again.counts, sizeof t.counts) != 0)
         die(1, "--pixel: this walk is not that of whitted.h");
     explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);
     printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);

@@ -79,7 +79,6 @@ static const char *const ray_tree_colour[ray_kinds] = {
 static inline void ray_tree_draw_ray(figure *g, const ray_tree_node *n, double x0, double x1,
                                      double y)
 {
-    char weight[16];
     bool shadow = n->kind == RAY_SHADOW;
     figure_line(g, x0, y + 70, x1, y, ray_tree_colour[n->kind],
                 shadow ? 1 : 1 + 9 * sqrt((double)n->weight),
@@ -88,9 +87,9 @@ static inline void ray_tree_draw_ray(figure *g, const ray_tree_node *n, double x
     figure_dot(g, x1, y, 5.5, shadow ? n->lit > 0 ? "#ffe27a" : "#444444"
                               : n->t < real_infinity ? "#ffffff" : "#9ad0ff");
     if (shadow || n->from < 0) return;
-    snprintf(weight, sizeof weight, n->weight < (real)0.1 ? "%.1g" : "%.2g", (double)n->weight);
-    figure_text(g, x1, y, x1 < x0 ? -8 : 8, -2, x1 < x0 ? FIGURE_RIGHT : FIGURE_LEFT,
-                ray_tree_colour[n->kind], weight);
+    figure_print(g, x1, y, x1 < x0 ? -8 : 8, -2, x1 < x0 ? FIGURE_RIGHT : FIGURE_LEFT,
+                 ray_tree_colour[n->kind], n->weight < (real)0.1 ? "%.1g" : "%.2g",
+                 (double)n->weight);
 }
 
 static inline void ray_tree_draw(const ray_tree *x, const char *path)
@@ -100,7 +99,6 @@ static inline void ray_tree_draw(const ray_tree *x, const char *path)
         {"shadow ray (yellow: lit)", FIGURE_ORANGE}, {"blue end: sky", "#3a86c8"}};
     double *at = allocate((size_t)x->n, sizeof *at), width = ray_tree_place(x, 0, 0, at);
     double step = width < 2 ? 300 : 860 / width;
-    char text[16];
     int deep = 0, depth = 0;  /* shadow rays have none: they may lie one lower */
     for (int i = 0; i < x->n; i++) {
         if (ray_tree_level(&x->node[i]) > deep) deep = ray_tree_level(&x->node[i]);
@@ -116,10 +114,8 @@ static inline void ray_tree_draw(const ray_tree *x, const char *path)
         ray_tree_draw_ray(&g, n, x0, x1, -50 - 70 * ray_tree_level(n));
     }
     figure_text(&g, 8, -85, 0, 0, FIGURE_LEFT, FIGURE_GREY, "depth");
-    for (int d = 1; d <= depth; d++) {
-        snprintf(text, sizeof text, "%d", d);
-        figure_text(&g, 8, -55 - 70 * d, 0, 0, FIGURE_LEFT, FIGURE_GREY, text);
-    }
+    for (int d = 1; d <= depth; d++)
+        figure_print(&g, 8, -55 - 70 * d, 0, 0, FIGURE_LEFT, FIGURE_GREY, "%d", d);
     for (int k = 0; k < 5; k++)
         figure_text(&g, 60 + 170 * k + 30 * (k == 4), -70 * deep - 96, 0, 0, FIGURE_LEFT,
                     key[k].colour, key[k].what);

@@ -93,19 +93,12 @@ static inline void draw_points(const options *o)
 /* Each onto the square, areas kept in proportion; u and v random. */
 static inline point2 wrong_place(const monte_carlo_panels *p, int panel, uint32_t k)
 {
+    static vec3 (*const sample[panels])(real, real) = {
+        sample_disk_naive, sample_triangle_naive, sample_sphere_naive, sample_hemisphere_naive,
+        sample_disk, sample_triangle, sample_sphere, sample_hemisphere};
     random_stream r = random_start(p->seed, (uint64_t)panel, k);
     real u = random_next(&r), v = random_next(&r), s = 1;
-    vec3 w = {0, 0, 0};
-    switch (panel) {
-    case 0: w = sample_disk_naive(u, v); break;
-    case 1: w = sample_triangle_naive(u, v); break;
-    case 2: w = sample_sphere_naive(u, v); break;
-    case 3: w = sample_hemisphere_naive(u, v); break;
-    case 4: w = sample_disk(u, v); break;
-    case 5: w = sample_triangle(u, v); break;
-    case 6: w = sample_sphere(u, v); break;
-    case 7: w = sample_hemisphere(u, v); break;
-    }
+    vec3 w = sample[panel](u, v);
     int column = panel % panel_columns;
     if (column == 1) return (point2){w.y + w.z / 2, w.z};
     if (column == 2) return (point2){atan2(w.y, w.x) / (2 * pi) + (real)0.5, (w.z + 1) / 2};

@@ -9,8 +9,7 @@
 #ifndef DISTRIBUTED_LAB_PICTURES_H
 #define DISTRIBUTED_LAB_PICTURES_H
 
-#include "../../../common/lab/label.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "box.h"
 #include "pool.h"
 #include "showroom.h"
@@ -71,9 +70,8 @@ static inline void draw_teapot(const options *o)
         whole = draw_view(o, &v, 8 << i, &one);
         label_panel(&sheet, 3, 1, pictures_gap, i, &one);
     }
-    label_titles(&sheet, 3, 1, pictures_gap, title);
-    output_picture(o, &sheet, "21_distributed_teapot.png", false, whole);
-    image_free(&sheet), image_free(&one), showroom_free(g);
+    panels_save(o, &sheet, 3, 1, pictures_gap, title, "21_distributed_teapot.png", whole);
+    image_free(&one), showroom_free(g);
 }
 
 /* Exposed twice as long as the showroom. */
@@ -92,9 +90,8 @@ static inline void draw_box(const options *o)
         label_panel(&sheet, 4, 1, pictures_gap, i, &one);
         box_free(b);
     }
-    label_titles(&sheet, 4, 1, pictures_gap, title);
-    output_picture(o, &sheet, "21_distributed_cornell.png", false, whole);
-    image_free(&sheet), image_free(&one);
+    panels_save(o, &sheet, 4, 1, pictures_gap, title, "21_distributed_cornell.png", whole);
+    image_free(&one);
 }
 
 #endif

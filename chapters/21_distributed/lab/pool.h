@@ -35,11 +35,6 @@ static const struct { double x, y, face[3], way[2]; int number; vec3 colour; }
         {2.6, 0.35, {-0.05, -0.7, 0.72}, {0.75, 0.4}, 4, {0.28, 0.06, 0.4}},
         {1.3, -1.75, {0, 0, 1}, {0.75, 0.95}, 0, {0.8, 0.76, 0.66}}};
 
-static inline shape pool_sphere(int i)
-{
-    return shape_of_sphere((sphere){vec(pool_ball[i].x, pool_ball[i].y, 1), 1});
-}
-
 /* Paint at the point n [unit] of ball i: its number, the disk around it, a stripe or its colour. */
 static inline vec3 pool_paint(int i, vec3 n)
 {
@@ -81,7 +76,8 @@ static inline void pool_fill(pool *g)
     for (int k = 0; k < 4; k++)
         g->corner[k] = vec(k == 0 || k == 3 ? -f : f, k < 2 ? -f : f, 0);
     g->cloth[0] = shape_of_polygon(polygon_of(g->corner, 4));
-    for (int i = 0; i < pool_balls; i++) g->ball[i] = pool_sphere(i);
+    for (int i = 0; i < pool_balls; i++)
+        g->ball[i] = shape_of_sphere((sphere){vec(pool_ball[i].x, pool_ball[i].y, 1), 1});
     vec3 middle = {0, 0, 1};
     g->light[0] = showroom_softbox(vec(-7, 3, 10), middle, 4.5, vec(330, 310, 270), g->corner + 4);
     g->light[1] = showroom_softbox(vec(6, 6, 9), middle, 2.5, vec(70, 80, 105), g->corner + 8);

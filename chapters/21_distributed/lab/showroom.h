@@ -108,25 +108,22 @@ static inline material showroom_lamp(const showroom_look *k, trace_hit x, const 
 
 static inline material showroom_material(const void *context, trace_hit x, const surface *s)
 {
-    static const double look[4][7] = {  /* kd, ks, shine */
+    enum { coloured = 4, copper = 7 };  /* the balls of the row, by turns; the teapot */
+    static const double look[][7] = {   /* kd, ks, shine */
         {0.62, 0.58, 0.5, 0, 0, 0, 1}, {0.02, 0.02, 0.02, 0.8, 0.8, 0.82, 1500},
-        {0.04, 0.025, 0.01, 0.75, 0.62, 0.38, 40}, {0.1, 0.3, 0.12, 0.06, 0.06, 0.06, 4000}};
-    static const double row[3][3] = {{0.62, 0.06, 0.04}, {0.8, 0.5, 0.05}, {0.06, 0.2, 0.5}};
+        {0.04, 0.025, 0.01, 0.75, 0.62, 0.38, 40}, {0.1, 0.3, 0.12, 0.06, 0.06, 0.06, 4000},
+        {0.62, 0.06, 0.04, 0.05, 0.05, 0.05, 2000}, {0.8, 0.5, 0.05, 0.05, 0.05, 0.05, 2000},
+        {0.06, 0.2, 0.5, 0.05, 0.05, 0.05, 2000}, {0.1, 0.045, 0.025, 0.66, 0.4, 0.28, 70}};
     const showroom_look *k = context;
-    double a[7] = {0.1, 0.045, 0.025, 0.66, 0.4, 0.28, 70};  /* the teapot: copper */
+    uint32_t i = x.h.shape;
     if (x.part == 2) return showroom_lamp(k, x, s);
-    if (x.part == 0 && x.h.shape < 4) memcpy(a, look[x.h.shape], sizeof a);
-    if (x.part == 0 && x.h.shape >= 4) {
-        memcpy(a, row[x.h.shape % 3], sizeof row[0]);
-        a[3] = a[4] = a[5] = 0.05, a[6] = 2000;
-    }
-    if (x.part == 0 && x.h.shape == 0
-        && (((int)floor((double)s->p.x / 1.5) + (int)floor((double)s->p.y / 1.5)) & 1))
-        for (int i = 0; i < 3; i++) a[i] *= 0.35;
+    const double *a = look[x.part == 1 ? copper : i < coloured ? i : coloured + i % 3];
+    bool odd = ((int)floor((double)s->p.x / 1.5) + (int)floor((double)s->p.y / 1.5)) & 1;
+    vec3 kd = vec(a[0], a[1], a[2]);
+    if (x.part == 0 && i == 0 && odd) kd = vscale(kd, (real)0.35);
     real shine = k->effects & EFFECT_GLOSSY ? (real)a[6] : real_infinity;
     if (x.part == 1 && k->pot_shine != 0) shine = k->pot_shine;
-    return (material){vec(a[0], a[1], a[2]), vec(a[3], a[4], a[5]), shine,
-                      {0, 0, 0}};
+    return (material){kd, vec(a[3], a[4], a[5]), shine, {0, 0, 0}};
 }
 
 static inline void showroom_set(showroom_look *k, const showroom *g, int effects)

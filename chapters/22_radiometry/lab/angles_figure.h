@@ -8,16 +8,14 @@
 
 #include "../../../common/lab/figure.h"
 
-typedef struct { double x, y; } angles_point;
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The direction theta, phi [degrees] on the unit sphere, seen from front above. */
-static inline angles_point angles_place(double theta, double phi)
+static inline figure_point angles_place(double theta, double phi)
 {
     double t = theta * (double)pi / 180, p = phi * (double)pi / 180;
     double x = sin(t) * cos(p), y = sin(t) * sin(p), z = cos(t);
-    return (angles_point){y - 0.5 * x, z - 0.38 * x};
+    return (figure_point){y - 0.5 * x, z - 0.38 * x};
 }
 
 /* A curve of directions from (theta, phi) to (theta2, phi2), straight in the angles. */
@@ -25,10 +23,10 @@ static inline void angles_curve(figure *g, double theta, double phi, double thet
                                 const char *colour, double width)
 {
     enum { pieces = 24 };
-    angles_point a = angles_place(theta, phi);
+    figure_point a = angles_place(theta, phi);
     for (int k = 1; k <= pieces; k++) {
         double s = (double)k / pieces;
-        angles_point b = angles_place(theta + s * (theta2 - theta), phi + s * (phi2 - phi));
+        figure_point b = angles_place(theta + s * (theta2 - theta), phi + s * (phi2 - phi));
         figure_line(g, a.x, a.y, b.x, b.y, colour, width, FIGURE_WHOLE);
         a = b;
     }
@@ -41,7 +39,7 @@ static inline void angles_patch(figure *g)
     const double corner[4][2] = {{theta, phi}, {theta + wide, phi}, {theta + wide, phi + turn},
                                  {theta, phi + turn}};
     for (int k = 0; k < 4; k++) {
-        angles_point p = angles_place(corner[k][0], corner[k][1]);
+        figure_point p = angles_place(corner[k][0], corner[k][1]);
         xy[2 * k] = p.x, xy[2 * k + 1] = p.y;
         figure_line(g, 0, 0, p.x, p.y, FIGURE_GREY, 1, FIGURE_DASHED);
     }
@@ -54,15 +52,14 @@ static inline void angles_patch(figure *g)
     angles_curve(g, 90, 0, 90, 90, FIGURE_GREY, 1.2);
     figure_arrow(g, 0, 0, 0, 1.18, FIGURE_BLACK, 1.5);
     for (int k = 0; k < 2; k++) {
-        angles_point axis = angles_place(90, 90 * k);
+        figure_point axis = angles_place(90, 90 * k);
         figure_arrow(g, 0, 0, 1.12 * axis.x, 1.12 * axis.y, FIGURE_BLACK, 1.2);
     }
     figure_text(g, 0, 1.18, 8, 6, FIGURE_LEFT, FIGURE_BLACK, "*n*");
     figure_text(g, xy[2], xy[3], 16, 24, FIGURE_LEFT, FIGURE_BLACK, "sin _θ_ d_φ_");
     figure_text(g, xy[6], xy[7], 10, 6, FIGURE_LEFT, FIGURE_BLACK, "d_θ_");
     figure_text(g, 0, 0.42, 6, 0, FIGURE_LEFT, FIGURE_BLACK, "_θ_");
-    figure_text(g, 0, 0, 30, 95, FIGURE_MIDDLE, FIGURE_BLACK,
-                "d_ω_ = sin _θ_ d_θ_ d_φ_");
+    figure_text(g, 0, 0, 30, 95, FIGURE_MIDDLE, FIGURE_BLACK, "d_ω_ = sin _θ_ d_θ_ d_φ_");
 }
 
 static inline void angles_beam(figure *g)
@@ -82,8 +79,7 @@ static inline void angles_beam(figure *g)
     figure_text(g, -0.16, 0.5, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "_θ_");
     figure_text(g, 0, 1.18, 8, 6, FIGURE_LEFT, FIGURE_BLACK, "*n*");
     figure_text(g, 0, 0, 0, 22, FIGURE_MIDDLE, FIGURE_BLUE, "d_A_");
-    figure_text(g, cx - out * dy, cy + out * dx, -8, 14, FIGURE_RIGHT, FIGURE_BLUE,
-                "cos _θ_ d_A_");
+    figure_text(g, cx - out * dy, cy + out * dx, -8, 14, FIGURE_RIGHT, FIGURE_BLUE, "cos _θ_ d_A_");
     figure_text(g, 0, 0, 0, 95, FIGURE_MIDDLE, FIGURE_BLACK, "the same power on more floor");
 }
 

@@ -105,8 +105,7 @@ static inline real hard_value(const radiometry_hard_input *h, bool naive)
     case HARD_SPHERE_E:
         return (naive ? sphere_irradiance_naive : sphere_irradiance)(h->s, seen_from, seen_up);
     case HARD_SQUARE_E:
-        return (naive ? polygon_irradiance_naive
-                      : polygon_irradiance)(h->v, 4, seen_from, seen_up);
+        return (naive ? polygon_irradiance_naive : polygon_irradiance)(h->v, 4, seen_from, seen_up);
     }
     return 0;
 }

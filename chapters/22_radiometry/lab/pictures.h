@@ -15,9 +15,7 @@
 #define RADIOMETRY_LAB_PICTURES_H
 
 #include "../../../common/lab/heat.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "floors.h"
 
 typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
@@ -141,24 +139,22 @@ static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
     return c;
 }
 
+typedef struct { radiometry_map map; int side; } radiometry_view;
+
 static inline vec3 view_place(const void *context, real x, real y)
 {
-    int side = *(const int *)context, left = (int)x < side + floor_gap ? 0 : side + floor_gap;
-    real px = 2 / (real)side, u = (x - (real)left) * px - 1;
-    if (u >= 1) return (vec3){1, 1, 1};
-    return view_colour(left ? VIEW_PROJECTED : VIEW_EQUAL_AREA, u, 1 - y * px, px);
+    const radiometry_view *v = context;
+    real px = 2 / (real)v->side;
+    return view_colour(v->map, x * px - 1, 1 - y * px, px);
 }
 
 static inline void draw_view(const options *o)
 {
-    if (o->out) return;
-    image im = o->quick ? image_new(306, 150) : image_new(906, 450);
-    int side = (im.width - floor_gap) / 2;
-    bool whole = pixels_draw(&im, 3, o->threads, "view", view_place, &side);
-    static const char *const title[2] = {"area: solid angle", "area: solid angle times cosine"};
-    label_titles(&im, 2, 1, floor_gap, title);
-    output_picture(o, &im, "22_radiometry_view.png", false, whole);
-    image_free(&im);
+    int side = o->quick ? 150 : 450;
+    radiometry_view v[view_maps] = {{VIEW_EQUAL_AREA, side}, {VIEW_PROJECTED, side}};
+    panel p[] = {{"area: solid angle", &v[0]}, {"area: solid angle times cosine", &v[1]}};
+    panels_shape g = {2 * side + floor_gap, side, view_maps, 1, floor_gap, 3, false};
+    if (!o->out) panels_draw(o, "22_radiometry_view.png", false, g, view_place, p);
 }
 
 #endif

@@ -12,7 +12,7 @@
 #ifndef DIRECT_PICTURES_H
 #define DIRECT_PICTURES_H
 
-#include "../../../common/lab/label.h"
+#include "../../../common/lab/panels.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../direct.h"
@@ -140,9 +140,8 @@ static inline void draw_exhibit(const options *o, const direct_exhibit *x)
         whole = direct_render(&v, &im, o->threads);
         label_panel(&sheet, x->n, 1, gap, k, &im);
     }
-    label_titles(&sheet, x->n, 1, gap, x->title);
-    output_picture(o, &sheet, x->file, false, whole);
-    image_free(&sheet), image_free(&im), stage_close(&g);
+    panels_save(o, &sheet, x->n, 1, gap, x->title, x->file, whole);
+    image_free(&im), stage_close(&g);
 }
 
 #endif

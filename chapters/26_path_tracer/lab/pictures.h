@@ -11,7 +11,7 @@
 #ifndef PATH_PICTURES_H
 #define PATH_PICTURES_H
 
-#include "../../../common/lab/label.h"
+#include "../../../common/lab/panels.h"
 #include "../../../common/lab/report.h"
 #include "../light_tracer.h"
 #include "showcase.h"
@@ -37,14 +37,6 @@ static inline void draw_panel(image *all, int k, int larger, image im)
     for (int i = 0; i < w * h; i++)
         image_set(all, k * w + i % w, i / w, image_get(&im, i % w / larger, i / w / larger));
     image_free(&im);
-}
-
-static inline void draw_row(const options *o, image *all, int n, const char *const *title,
-                            const char *file, bool whole)
-{
-    label_titles(all, n, 1, 0, title);
-    output_picture(o, all, file, false, whole);
-    image_free(all);
 }
 
 /* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
@@ -76,7 +68,7 @@ static inline void draw_ladder(const options *o)
         before = error;
     }
     output_extra_table(o, &rows);
-    draw_row(o, &all, n, title, "26_path_tracer_ladder.png", whole);
+    panels_save(o, &all, n, 1, 0, title, "26_path_tracer_ladder.png", whole);
     shot_free(&s);
 }
 
@@ -109,7 +101,7 @@ static inline void draw_strategies(const options *o)
         draw_panel(&all, k, 1, im);
         shot_free(&s);
     }
-    draw_row(o, &all, panels, title, "26_path_tracer_strategies.png", whole);
+    panels_save(o, &all, panels, 1, 0, title, "26_path_tracer_strategies.png", whole);
 }
 
 static inline void draw_light(const options *o)
@@ -139,7 +131,7 @@ static inline void draw_light(const options *o)
     draw_panel(&all, 0, 1, shot_picture(&s, 2));
     draw_panel(&all, 1, 1, exposed(im, 2));
     output_extra_table(o, &t);
-    draw_row(o, &all, 2, title, "26_path_tracer_light.png", whole);
+    panels_save(o, &all, 2, 1, 0, title, "26_path_tracer_light.png", whole);
     light_tracer_free(&l), shot_free(&s);
 }
 

@@ -105,7 +105,7 @@ static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixe
         path_walk told = w;
         if (pixel_hit(t, &told, s, k, &v) && path->n < vertices_most) path->v[path->n++] = v;
         on = path_step(t, &w, &s, &c);
-        if (told.L.x != w.L.x || told.L.y != w.L.y || told.L.z != w.L.z)
+        if (!vzero(vsub(told.L, w.L)))
             die(1, "--pixel: what was told of x%d is not what path.h did", k);
     }
     return w.L;
@@ -147,8 +147,7 @@ static inline void pixel_explain(const options *o, const char *name, const char 
     explain_vector(0, "(2.5)", "o =", eye.o);
     explain_vector(0, "(2.5)", "d =", eye.d);
     vec3 L = pixel_walk(&x.t, eye, s, &path), due = path_radiance(&x.t, eye, &again, &counts);
-    if (L.x != due.x || L.y != due.y || L.z != due.z)
-        die(1, "--pixel: this walk is not that of path.h");
+    if (!vzero(vsub(L, due))) die(1, "--pixel: this walk is not that of path.h");
     explain_vector(0, "(26.5)", "this path brings L =", L);
     printf("%zu rays; the pixel is the mean of many such paths\n", path_rays(&counts));
     pixel_draw(o, &x.c, strcmp(name, "cornell") == 0, &path);

@@ -53,12 +53,11 @@ static inline int vertices_of(const path_tracer *t, ray eye, path_random s,
     return n;
 }
 
-typedef struct { double x, y; } vertices_point;
-static inline vertices_point vertices_place(camera c, vec3 p)
+static inline figure_point vertices_place(camera c, vec3 p)
 {
     real x = 0, y = 0;
     camera_project(c, p, 1, 1, &x, &y);
-    return (vertices_point){(double)x, 1 - (double)y};
+    return (figure_point){(double)x, 1 - (double)y};
 }
 
 /* From outside, through the red wall. */
@@ -89,7 +88,7 @@ static inline void vertices_wall(figure *g, camera c, const mesh *m, size_t quad
     snprintf(colour, sizeof colour, "#%02x%02x%02x", (unsigned)fill.x, (unsigned)fill.y,
              (unsigned)fill.z);
     for (int i = 0; i < 4; i++) {
-        vertices_point p = vertices_place(c, corner[i]);
+        figure_point p = vertices_place(c, corner[i]);
         xy[2 * i] = p.x, xy[2 * i + 1] = p.y;
     }
     bool edges = part != CORNELL_WHITE || fabs(n.y) < (real)0.5;
@@ -106,8 +105,8 @@ static inline void vertices_room(figure *g, camera c, const lit_scene *s)
     for (size_t k = s->shapes; k-- > 0;) {
         if (s->shape[k].kind != SHAPE_SPHERE) continue;
         sphere ball = s->shape[k].sphere;
-        vertices_point p = vertices_place(c, ball.c);
-        vertices_point q = vertices_place(c, vmadd(ball.c, c.u, ball.r));
+        figure_point p = vertices_place(c, ball.c);
+        figure_point q = vertices_place(c, vmadd(ball.c, c.u, ball.r));
         figure_dot(g, p.x, p.y, g->unit * hypot(q.x - p.x, q.y - p.y), colour[k % 2]);
     }
     vertices_wall(g, c, &m, red);
@@ -117,7 +116,7 @@ static inline void vertices_room(figure *g, camera c, const lit_scene *s)
 /* The n hits of a path, with their light samples. */
 static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v, int n)
 {
-    vertices_point p[vertices_most], y[vertices_most], from;
+    figure_point p[vertices_most], y[vertices_most], from;
     for (int k = 0; k < n; k++) {
         p[k] = vertices_place(c, v[k].p), y[k] = vertices_place(c, v[k].lamp);
         if (v[k].drawn) figure_line(g, p[k].x, p[k].y, y[k].x, y[k].y,
@@ -140,7 +139,6 @@ static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
     const double column[5] = {0, 50, 130, 210, 300}, row = 34, below = -row * n;
     static const char *const title[5] = {"hit", "_β_~k~", "_w_~L~", "_w_~B~", "adds to _L_"};
     double sum = 0;
-    char text[64];
     for (int k = 0; k < 5; k++)
         figure_text(g, column[k], 0, 0, 0, FIGURE_LEFT, FIGURE_BLACK, title[k]);
     figure_line(g, 0, -12, 420, -12, FIGURE_GREY, 1, FIGURE_WHOLE);
@@ -150,9 +148,8 @@ static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
         figure_print(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.3f", (double)v[k].beta.y);
         figure_print(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", w);
         figure_print(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", 1 - w);
-        snprintf(text, sizeof text, v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind",
-                 gain);
-        figure_text(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY, text);
+        figure_print(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY,
+                     v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind", gain);
         sum += gain;
     }
     figure_line(g, 0, below - 12, 420, below - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
@@ -174,9 +171,9 @@ static inline void draw_vertices(const options *o)
     point2 u = path_pair(&r);
     int n = vertices_of(&s.t, camera_ray(s.c.eye, x + u.u, y + u.v, side, side), r, v);
     camera c = vertices_view();
-    vertices_point e = vertices_place(c, vertices_from(s.c.eye.e, v));
-    vertices_point lamp = vertices_place(c, v[0].lamp);
-    vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
+    figure_point e = vertices_place(c, vertices_from(s.c.eye.e, v));
+    figure_point lamp = vertices_place(c, v[0].lamp);
+    figure_point metal = vertices_place(c, (vec3){390, 30, 350});
     figure g = figure_begin(o, "26_path_tracer_vertices.svg", 940, 480);
     figure_origin(&g, 0, 480, 480);
     vertices_room(&g, c, &s.c.s);
