@@ -434,6 +434,101 @@ static void test_one_root(void)
     check_at_most(behind, n / 100, "roots that rounding brought before the ray");
 }
 
+/* ---- constants: rays climbed to, for which they must not be smaller ---- */
+
+/* By 30 digits: hit or miss, the signs of both roots (o is inside, outside, or on the surface), and
+ * which one is the first. */
+static bool is_right(sphere b, ray r)
+{
+    real t0, t1;
+    hit h = hit_none;
+    sphere_quadratic q = sphere_exactly(b, r);
+    int p = wide_sign(q.c), ahead = -wide_sign(q.b);  /* p < 0: inside; is the centre ahead? */
+    bool due = wide_sign(q.D) >= 0, is = sphere_roots(b, r, &t0, &t1);
+    double middle = -wide_value(wide_div(q.b, q.a)), room = 4 * eps * fabs(middle);
+    bool met = sphere_hit(b, r, &h);
+    if (is != due || met != (due && (p <= 0 || ahead > 0))) return false;
+    if (is && p < 0 && !(t0 < 0 && t1 > 0)) return false;
+    if (is && p > 0 && !((double)t0 * ahead > 0 && (double)t1 * ahead > 0)) return false;
+    return !met || (p > 0 ? (double)h.t <= middle + room : (double)h.t >= middle - room);
+}
+
+/* In units of the constants, how far beyond a wrong sign is; below 0 where it is right: of D in
+ * sphere_look_at; of k, in sphere_hit, inside taken for outside and the reverse; of the near root. */
+typedef enum { SIGN_OF_D, SIGN_OF_K, SIGN_OF_K_INSIDE, SIGN_OF_NEAR } sign_of;
+
+static double beyond(sign_of what, sphere b, ray r)
+{
+    sphere_terms t = sphere_terms_of(b, r);
+    sphere_look q = sphere_look_at(&t);
+    sphere_quadratic e = sphere_exactly(b, r);
+    double root = sqrt((2 * q.a * q.rr - q.D) * q.a * (q.ff + q.rr));  /* of S M: MEASURED.md */
+    double off = DBL_EPSILON * (q.ff + q.rr), k = q.ff - q.rr, k_due = wide_value(e.c);
+    double near = q.ca - sqrt(fmax(q.D, 0));
+    if (what == SIGN_OF_D) {
+        double D = q.D / (DBL_EPSILON * root), due = wide_value(e.D) / (DBL_EPSILON * root);
+        return D * due < 0 ? fabs(D) : -fabs(due);
+    }
+    if (what == SIGN_OF_K) return k_due > 0 ? (k - 2 * k_due) / off : k / off;
+    if (what == SIGN_OF_K_INSIDE) return k_due < 0 ? (2 * k_due - k) / off : -k / off;
+    if (!q.sure || q.D <= 0 || q.ca <= 0) return -HUGE_VAL;
+    return near * k_due < 0 ? fabs(k) / off : -fabs(near) / (DBL_EPSILON * sqrt(q.a * q.ff));
+}
+
+/* Changes a few last digits or a tenth at a time. R is the one where the sign changes, rounded, or
+ * some roundings beside it. */
+static double climb(sign_of what, uint64_t i, int steps, size_t *wrong)
+{
+    random_stream s = random_start(9, i, 0);
+    sphere b = {random_in_cube(&s, 1), 1};
+    ray r = ray_from(random_in_cube(&s, 3), random_in_cube(&s, 1));
+    double at = -HUGE_VAL;
+    const real far[4] = {1, (real)0.3, 3, 100};
+    r.o = vadd(b.c, vscale(vsub(r.o, b.c), far[i % 4]));
+    for (int k = 0; k < steps; k++) {
+        sphere ball = b;
+        ray next = r;
+        real *part[9] = {&ball.c.x, &ball.c.y, &ball.c.z, &next.o.x, &next.o.y, &next.o.z,
+                         &next.d.x, &next.d.y, &next.d.z};
+        for (int n = k ? (int)random_between(&s, 1, 4) : 0; n > 0; n--)
+            *part[(int)(9 * random_next(&s))] *=
+                1 + random_between(&s, -1, 1) * pow((real)10, random_between(&s, -16, -1));
+        wide3 f = wide3_sub(wide3_of(next.o), wide3_of(ball.c));
+        double R = what == SIGN_OF_D ? sphere_pass(ball, next) : wide_value(wide3_length(f));
+        for (int beside = -1; beside <= 1; beside++) {
+            ball.r = (real)(R * (1 + beside * DBL_EPSILON / (k % 2 ? 1 : 2)));
+            double now = beyond(what, ball, next);
+            if (now > 0) *wrong += !is_right(ball, next);
+            if (now >= at) at = now, b = ball, r = next;
+        }
+    }
+    return at;
+}
+
+/* The ray for the near root was climbed to from 1200 starts. In float all of this is exact, or
+ * nearly: nothing to climb. */
+static void test_constants(void)
+{
+    static const struct { uint64_t starts; double met; } by[] = {{24, 1.55}, {8, 0.8}, {16, 0.8}};
+    for (int what = 0; what < SIGN_OF_NEAR && !real_is_float; what++) {
+        size_t wrong = 0;
+        double most = -HUGE_VAL;
+        for (uint64_t i = 0; i < by[what].starts; i++)
+            most = check_worse(most, climb((sign_of)what, i, 3000, &wrong));
+        check_equal(wrong, 0, "constant %d: rays on the wrong side of a sign, and wrong", what);
+        check_at_least(most, by[what].met, "constant %d: how far beyond a wrong sign is met", what);
+    }
+    if (real_is_float) return;
+    sphere b = {{(real)-0x1.a935ed453897bp-1, (real)0x1.ec45a6324f27bp-3,
+                 (real)0x1.8d1e4ece5c1b8p-1}, (real)0x1.1abb34db1ece3p+1};
+    ray r = ray_from((vec3){(real)-0x1.1cf2c86067034p+1, (real)0x1.f222d39c3cbcap+0,
+                            (real)0x1.d9c8b815127bep-1},
+                     (vec3){(real)0x1.9b2d49580a785p-1, (real)0x1.45f4502e003ap-1,
+                            (real)-0x1.b1731946d1225p-6});
+    check(is_right(b, r), "the near root's sign is rounding");
+    check_at_least(beyond(SIGN_OF_NEAR, b, r), 2.04, "how far off the surface that may be");
+}
+
 /* Easy rays: what is right passes sphere_prove, and each usual mistake is found. */
 static int mistake;
 
@@ -555,6 +650,7 @@ int main(void)
     test_extreme_sizes();
     test_passes_nearby();
     test_degenerate();
+    test_constants();
     test_easy_rays();
     return check_report("03_sphere");
 }

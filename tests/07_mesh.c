@@ -60,11 +60,11 @@ static bool is_normal(shape x, ray r, real t, vec3 n)
 static void closest_of_many(void)
 {
     size_t differ = 0, occlusion = 0, out_of_bounds = 0, normals = 0, bent = 0, all = 0,
-           hits[4] = {0, 0, 0, 0};
+           hits[4] = {0, 0, 0, 0}, n = check_sample(20000, 2500);
     numbers = random_start(31, 0, 0);
     for (int i = 0; i < shape_count; i++) shapes[i] = some_shape(i % 4, corners[i]);
     scene s = {shapes, shape_count};
-    for (size_t i = 0; i < check_count(20000); i++) {
+    for (size_t i = 0; i < n; i++) {
         ray r = ray_from(random_in_cube(&numbers, 4), random_in_cube(&numbers, 1));
         r.tmin = random_between(&numbers, 0, 2);
         r.tmax = i % 3 ? real_infinity : random_between(&numbers, 0, 8);
@@ -76,16 +76,16 @@ static void closest_of_many(void)
         if (!is) continue;
         all++;
         const shape *x = &shapes[h.shape];
-        vec3 lo, hi, p = ray_at(r, h.t), n = shape_normal(*x, h, p);
+        vec3 lo, hi, p = ray_at(r, h.t), up = shape_normal(*x, h, p);
         shape_bounds(*x, &lo, &hi);
         real room =
             64 * real_epsilon; /* p itself is rounded: coordinates up to 8, t |D| up to 14 */
         for (int k = 0; k < 3; k++)
             out_of_bounds +=
                 !(vaxis(p, k) >= vaxis(lo, k) - room && vaxis(p, k) <= vaxis(hi, k) + room);
-        normals += !(fabs(vlength(n) - 1) <= 4 * real_epsilon);
+        normals += !(fabs(vlength(up) - 1) <= 4 * real_epsilon);
         hits[x->kind]++;
-        bent += !is_normal(*x, r, h.t, n);
+        bent += !is_normal(*x, r, h.t, up);
     }
     check_equal(differ, 0, "closest hits that differ from a search in another order");
     check_equal(occlusion, 0, "occluded means: there is a closest hit");
@@ -93,7 +93,7 @@ static void closest_of_many(void)
     check_equal(normals, 0, "normals that are not unit");
     check_at_most(bent, all / 50,
                   "normals that no small triangle of hits confirms: rims, tips only");
-    for (int k = 0; k < 4; k++) check_at_least(hits[k], check_count(200), "kind %d is hit", k);
+    for (int k = 0; k < 4; k++) check_at_least(hits[k], n / 100, "kind %d is hit", k);
 }
 
 /* Nothing sticks out of the bounds, and they are tight: the widest of many points comes close. */
@@ -222,7 +222,7 @@ static ray odd_ray(shape x, const vec3 *q, size_t i)
 static void hits_are_within_bounds(void)
 {
     double worst = 0;
-    size_t hits = 0, n = check_count(200000);
+    size_t hits = 0, n = check_sample(200000, 1000);
     numbers = random_start(34, 0, 0);
     for (size_t i = 0; i < n; i++) {
         vec3 q[7], lo, hi, far = {0, 0, 0};
@@ -421,7 +421,7 @@ static void lattice(void)
 static void votes_are_aimed(void)
 {
     mesh m = torus_mesh(24);
-    size_t n = check_count(2000), wrong = 0, alone = 0, hurt = 0;
+    size_t n = check_sample(2000, 250), wrong = 0, alone = 0, hurt = 0;
     for (size_t i = 0; i < n; i++) {
         vec3 p, d;
         random_stream s = random_start(22, i, 0);
@@ -447,7 +447,7 @@ static void aimed(void)
     const double least[][inside_of_hits] = {{0, 0}, {0.3, 0.01}, {0.3, 0.3}};
     for (inside_aim at = AT_RANDOM; at <= AT_VERTEX; at++) {
         random_stream s = random_start(21, (uint64_t)at, 0);
-        inside_score w = inside_play(&m, &s, at, check_count(3000));
+        inside_score w = inside_play(&m, &s, at, check_sample(3000, 375));
         for (int k = 0; k < inside_methods - (at != AT_RANDOM); k++)
             if (k < inside_of_hits && at != AT_RANDOM)
                 check_at_least((double)w.wrong[k], least[at][k] * (double)w.asked,

@@ -3,6 +3,7 @@
 #include "../chapters/09_aabb/lab/mantissa.h"
 #include "../chapters/09_aabb/lab/slabs.h"
 #include "../chapters/09_aabb/lab/volumes.h"
+#include "../chapters/09_aabb/structure.h"
 #include "check.h"
 
 /* What is reported in error passes the box by little: the padding 16 u, 3 u for the entry and 3 u
@@ -177,6 +178,36 @@ static void test_volumes_touched(void)
     }
 }
 
+/* (10.1) by its sum: a hit is off its item by up to 256 epsilon D, a plane's t by 4; what is left is
+ * for the building of cells. D by the corners of the box, each along each axis. */
+static void test_delta(void)
+{
+    double least = HUGE_VAL, most = 0;
+    for (size_t i = 0; i < 3000; i++) {
+        random_stream s = random_start(23, i, 0);
+        real size = pow((real)10, random_between(&s, -3, 3));
+        real far = pow((real)10, random_between(&s, -3, 6));
+        vec3 at = random_in_cube(&s, far), side = vscale(random_in_cube(&s, 1), size);
+        vec3 other = i % 7 ? vadd(at, side) : at;
+        aabb box = {vmin(at, other), vmax(at, other)};
+        vec3 o = i % 3 ? random_in_cube(&s, far) : vmadd(at, side, random_next(&s));
+        ray r = ray_from(o, vec(0, 0, 1));
+        double D = 0;
+        for (int corner = 0; corner < 8; corner++)
+            for (int k = 0; k < 3; k++) {
+                real c = vaxis(corner >> k & 1 ? box.hi : box.lo, k);
+                D = fmax(D, fabs((double)c - (double)vaxis(r.o, k)));
+            }
+        if (D == 0) continue;
+        double part = (double)query_delta(r, box) / ((double)real_epsilon * D);
+        least = fmin(least, part), most = check_worse(most, part);
+    }
+    check_at_least(least, 260, "delta, in epsilon D: 256 and 4 are owed");
+    check_at_most(most, 513, "and no more than twice that");
+    ray still = ray_from(vec(1, 2, 3), vec(1, 0, 0));
+    check(query_delta(still, (aabb){still.o, still.o}) > 0, "a little even where all is one point");
+}
+
 int main(void)
 {
     test_full_mantissa();
@@ -184,5 +215,6 @@ int main(void)
     test_volumes();
     test_known_volumes();
     test_volumes_touched();
+    test_delta();
     return check_report("09_shapes");
 }

@@ -128,6 +128,100 @@ static void test_classes(void)
     check_at_least(first, real_is_float ? 150 : 8, "first version, edges and corners lost");
 }
 
+/* How many triangles a ray meets at the t that is due, and the share of that one, in sixths. */
+static int met_at_once(const torture *t, size_t i, int *share)
+{
+    int n = 0, other;
+    *share = 0;
+    for (size_t k = 0; k < t->m.triangles; k++) {
+        torture_t x = torture_meet(&t->m, k, t->r[i], &other);
+        if (x.den == 0 || torture_less(x, t->due[i].t) || torture_less(t->due[i].t, x)) continue;
+        if (k == t->due[i].shape) *share = abs(other);
+        n++;
+    }
+    return n;
+}
+
+static aabb box_of(const mesh *m)
+{
+    aabb b = aabb_empty();
+    for (size_t i = 0; i < m->vertices; i++) b.lo = vmin(b.lo, m->v[i]), b.hi = vmax(b.hi, m->v[i]);
+    return b;
+}
+
+static double longest_over_height(triangle t)
+{
+    vec3 e[3] = {vsub(t.b, t.a), vsub(t.c, t.b), vsub(t.a, t.c)};
+    double longest = 0;
+    for (int k = 0; k < 3; k++) longest = fmax(longest, (double)vlength(e[k]));
+    return longest * longest / (double)vlength(vcross(e[0], e[1]));
+}
+
+/* One end of the interval is 1/4096 before or behind the hit that is due without it. */
+static bool ends_there(const torture *t, ray r)
+{
+    bool through, begins = r.tmin > 0, ends = isfinite(r.tmax);
+    ray all = ray_from(r.o, r.d);
+    torture_hit first = torture_due(&t->m, all, &through);
+    double at = (double)first.t.num / (double)first.t.den;
+    if (first.shape == no_shape || (!begins && !ends)) return first.shape == no_shape;
+    return (!begins || fabs(fabs((double)r.tmin / at - 1) * 0x1p12 - 1) < 1e-3)
+           && (!ends || fabs(fabs((double)r.tmax / at - 1) * 0x1p12 - 1) < 1e-3);
+}
+
+/* What a class says of one of its rays, but for where it is aimed. */
+static bool is_of_class(const torture *t, const char *name, size_t i)
+{
+    ray r = t->r[i], before = r;
+    aabb box = box_of(&t->m);
+    bool through;
+    real far = (real)((1 << torture_bits) - 1);
+    before.tmin = 0;
+    if (!strcmp(name, "axes")) return r.d.x == 0 && r.d.y == 0 && fabs(r.o.z) == far;
+    if (!strcmp(name, "plane")) return r.o.z == 0 && r.d.z == 0;
+    if (!strcmp(name, "far"))
+        return fabs(r.o.x) == far && fabs(r.o.y) <= 4 && r.o.z >= far / 9
+               && vlength(vsub(box.hi, box.lo)) < far / 100;
+    if (!strcmp(name, "needles"))
+        return longest_over_height(mesh_triangle(&t->m, t->due[i].shape)) > 0x1p13;
+    if (!strcmp(name, "ends")) return ends_there(t, r);
+    if (!strcmp(name, "start"))
+        return r.tmin == (real)0x1p-10 && torture_due(&t->m, before, &through).t.num == 0;
+    real room = (real)(1 << (torture_bits - 2));
+    vec3 off = vmax(vsub(box.lo, r.o), vsub(r.o, box.hi));
+    return off.x <= room && off.y <= room && r.o.z > 0 && r.d.z < 0
+           && (strcmp(name, "flat") != 0 || (box.lo.z == 0 && box.hi.z == 0));
+}
+
+/* Each class is what its line says; where heights hide what a ray is aimed at, most of it is.
+ * share 0: any. */
+static void test_kinds(void)
+{
+    static const struct { int share, at_once; double least; } aimed[torture_classes] = {
+        {6, 1, 1}, {3, 2, 0.7}, {1, 6, 0.6}, {3, 2, 1}, {0, 0, 1}, {3, 2, 1}, {3, 2, 0.4},
+        {3, 2, 0.8}, {6, 3, 1}, {0, 4, 0.3}, {0, 0, 1}, {0, 0, 1}};
+    for (int k = 0; k < torture_classes; k++) {
+        torture t = torture_make(k, 200, 5);
+        const char *name = torture_list[k].name;
+        size_t so = 0, at = 0, down = 0, minus = 0, left = 0, cut = 0;
+        for (size_t i = 0; i < t.n; i++) {
+            ray r = t.r[i];
+            int share, at_once = met_at_once(&t, i, &share);
+            so += is_of_class(&t, name, i);
+            at += (!aimed[k].share || share == aimed[k].share)
+                  && (!aimed[k].at_once || at_once == aimed[k].at_once);
+            down += r.d.z < 0, minus += r.d.x == 0 && signbit(r.d.x), left += r.d.x < 0;
+            cut += t.due[i].shape == no_shape;
+        }
+        check_equal(so, t.n, "%s: rays of another kind", name);
+        check_at_least((double)at, aimed[k].least * (double)t.n, "%s: where they are aimed", name);
+        if (k == 3) check(down > 50 && down < 150 && minus > 50 && minus < 150, "up, down, 0, -0");
+        else check(left > 50 && left < 150, "%s: to the left and to the right", name);
+        if (k == 10) check(cut > 50 && cut < 150, "intervals with a hit and without one");
+        torture_free(&t);
+    }
+}
+
 /* Each kind of fault, planted into right answers. */
 static void test_judge(void)
 {
@@ -151,6 +245,31 @@ static void test_judge(void)
     for (int k = 0; k < 4; k++) check_equal(seen[k], t.n, "answers judged, kind %d", k);
     check_at_most(worst, 1, "a right t is off by a rounding of float at most");
     torture_free(&t), torture_free(&none);
+}
+
+/* In roundings of the largest of t, and of a coordinate of o, or 2^20, on the way: by hand. */
+static void test_error(void)
+{
+    static const struct { real x, dz, t, given; double error; } list[] = {
+        {0, 1, 1, 1.5, 0x1p23 / 0x1p20}, {0, 1, 1, 0.5, 0x1p23 / 0x1p20}, {0, 1, 1, 1, 0},
+        {0, 0x1p21, 0x1p-21, 0.5 + 0x1p-21, 0x1p24}, {0, 0x1p10, 0x1p-10, 0x1p-9, 1 << 4},
+        {-0x1p21, 1, 1, 1.5, 0x1p23 / (0x1p21 - 1)}, {0x1p21, 1, 1, 1.5, 0x1p23 / (0x1p21 + 1)}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        double error;
+        bool through;
+        mesh m = mesh_room(1);
+        vec3 at = {list[i].x, 0, 0};
+        m.v[0] = vadd(at, vec(0, 0, 1)), m.v[1] = vadd(at, vec(4, 0, 1));
+        m.v[2] = vadd(at, vec(0, 4, 1));
+        ray r = ray_from(vadd(at, vec(1, 1, 0)), vec(0, 0, list[i].dz));
+        torture_hit due = torture_due(&m, r, &through);
+        torture t = {m, &r, &due, 1};
+        check_equal(torture_judge(&t, 0, (hit){list[i].t, 0, 0, 0}, &error), TORTURE_RIGHT, "met");
+        check_equal(error, 0, "row %zu: t itself", i);
+        torture_judge(&t, 0, (hit){list[i].given, 0, 0, 0}, &error);
+        check_close(error, list[i].error, 1e-6 * list[i].error, "row %zu: off, in roundings", i);
+        mesh_free(&m);
+    }
 }
 
 static void test_files(void)
@@ -181,8 +300,10 @@ int main(void)
     test_less();
     test_meet();
     test_nearest();
+    test_kinds();
     test_classes();
     test_judge();
+    test_error();
     test_files();
     return check_report("17_torture");
 }

@@ -9,7 +9,7 @@
  *
  * check_count(n) is an eighth of n, so that `make test` is quick; with CHECK_SOAK=1 in the
  * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
- * n / d.
+ * n / d. check_sample(n, least) is the same and never below `least`: for a share that is judged.
  *
  * CHECK_SLACK=1 prints what part of its bound each check_at_most and check_close reached. A line
  * that never gets to a hundredth has a bound that says little:
@@ -83,6 +83,12 @@ static inline size_t check_count(size_t n)
     const char *divisor = getenv("CHECK_DIVISOR");
     size_t d = divisor ? (size_t)strtoul(divisor, NULL, 10) : getenv("CHECK_SOAK") ? 1 : 8;
     return d > 1 ? (n + d - 1) / d : n;
+}
+
+static inline size_t check_sample(size_t n, size_t least)
+{
+    size_t some = check_count(n);
+    return some > least ? some : least;
 }
 
 /* Prints "name: N passed, N failed"; returns the exit status. */

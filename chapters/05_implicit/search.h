@@ -82,6 +82,7 @@ static inline interval implicit_newton_range(double m, interval F, interval slop
 }
 
 /* A root that T could not prove because it lies at, or next to, its end: tried in three times T.
+ * Where T is one number, eight of them: with fewer, less is proven, and nothing wrong.
  * False: proven to lie outside of [tmin, tmax]. */
 static inline bool implicit_prove(implicit_search *z, implicit_root *root)
 {

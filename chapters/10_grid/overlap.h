@@ -58,7 +58,9 @@ static inline real aabb_reach(aabb b)
  * are apart. Only the projections are off: three products, two sums, so by 3/2 epsilon |a|1 S for a
  * point, S = the largest coordinate, |a|1 = |ax| + |ay| + |az|; the same for a corner of the box,
  * which overlap_box has cut to the bounds of the item. Widening by this margin rounds once more, by
- * epsilon/2 |a|1 S: 7/2 epsilon in all < 4. What underflows is less than real_smallest. */
+ * epsilon/2 |a|1 S: 7/2 epsilon in all < 4. What underflows is less than real_smallest. A ball's
+ * reach is off by 9/4 epsilon of itself, and at -+ more by epsilon/2 |a|1 S: with 8 epsilon of it
+ * the margin need not pay for any of that, and a cell that is named in vain costs nothing. */
 static inline void overlap_add(overlap_plan *p, vec3 a, const vec3 *v, const real *r, uint32_t n)
 {
     real one = fabs(a.x) + fabs(a.y) + fabs(a.z);

@@ -31,9 +31,8 @@
 
 #include "solid_angle.h"
 
-/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. Its corner
- * `first` is a: usually 0; where p is close to an edge, the corner opposite of that edge. */
-typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; int first; } spherical_triangle;
+/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. */
+typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; } spherical_triangle;
 /* Names as in the paper: sides along x and y, plane z = z0, here its distance; c0^2 = 1 - b0^2. */
 typedef struct { real x0, x1, y0, y1, z, b0, c0, f0, cos_k, sin_k; } urena_map;
 typedef struct { spherical_triangle half[2]; urena_map map; real omega; } spherical_rectangle;
@@ -45,22 +44,11 @@ static inline vec3 rectangle_at(rectangle r, vec3 y)
     return vmadd(vmadd(r.o, r.s, y.x), r.t, y.y);
 }
 
-/* Two corners on opposite sides of p, nearly: the arc between them goes anywhere, and 1 + a.b is
- * noise. (22.17) follows the arcs a b and a c: the one nearest to pi has to be b c. */
-static inline int first_corner(vec3 a, vec3 b, vec3 c)
-{
-    real ab = vdot(a, b), bc = vdot(b, c), ca = vdot(c, a);
-    if (real_min(ab, ca) > -(real)0.875) return 0;
-    return bc <= real_min(ab, ca) ? 0 : ca <= ab ? 1 : 2;
-}
-
 static inline spherical_triangle spherical_triangle_from(vec3 a, vec3 b, vec3 c, real volume,
                                                          real omega)
 {
-    vec3 v[3] = {a, b, c};
-    int i = first_corner(vunit(a), vunit(b), vunit(c)), j = (i + 1) % 3, h = (i + 2) % 3;
-    spherical_triangle k = {vunit(v[i]), vunit(v[j]), vunit(v[h]), vlength(v[i]), vlength(v[j]),
-                            vlength(v[h]), 0, fabs(omega), i};
+    spherical_triangle k = {vunit(a), vunit(b), vunit(c), vlength(a), vlength(b), vlength(c), 0,
+                            fabs(omega)};
     k.volume = fabs(volume) / k.la / k.lb / k.lc;
     if (!(k.volume > 0)) k.omega = 0;  /* in its plane */
     return k;
@@ -80,14 +68,15 @@ static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
 /* a b c' shall have the solid angle w = u omega. Let h be a multiple of a + c'. By (22.12)
  *     tan(w/2) = det(a, b, h) / (h.(a + b)),
  * and h = A a + B c gives B = sin(w/2) (1 + a.b), A = cos(w/2) det - sin(w/2) (a.c + b.c);
+ * 1 + a.b is |a + b|^2 / 2, which keeps its digits where a and b are on opposite sides of p;
  *     c' = 2 (h.a) / (h.h) h - a                                                         (22.17)
  * Then 1 - cos of the angle between b and x is v times that between b and c': with q the quotient
  * of their sines, x = q c' + (cos - q b.c') b.                                           (22.18) */
 static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u, real v)
 {
-    real s = sin(u * k->omega / 2), ab = vdot(k->a, k->b);
-    real B = s * (1 + ab), A = cos(u * k->omega / 2) * k->volume;
-    A -= s * (vdot(k->a, k->c) + vdot(k->b, k->c));
+    vec3 ab = vadd(k->a, k->b);
+    real s = sin(u * k->omega / 2), B = s * vdot(ab, ab) / 2;
+    real A = cos(u * k->omega / 2) * k->volume - s * vdot(ab, k->c);
     real scale = real_max(fabs(A), B);
     if (scale > 0) A /= scale, B /= scale;  /* their squares might vanish */
     else A = 1;
@@ -95,7 +84,7 @@ static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u
     real twice = 2 * vdot(h, k->a) / vdot(h, h), ca = twice * A - 1, cc = twice * B;  /* c' */
     vec3 end = vmadd(vscale(k->a, ca), k->c, cc), apart = vsub(end, k->b), both = vadd(end, k->b);
     real away = vdot(apart, apart) / 2, near = 2 - away, bc = 1 - away;  /* 1 -+ b.c', b.c' */
-    if (away > 1) near = vdot(both, both) / 2, away = 2 - near, bc = near - 1;
+    if (away > 1) near = vdot(both, both) / 2, bc = near - 1;
     real up = away > 1 ? 2 * (1 - v) + v * near : 2 - v * away;  /* 1 + cosine */
     real cosine = away > 1 ? up - 1 : 1 - v * away, q = near > 0 ? sqrt(v * up / near) : 0;
     real wa = real_max(q * ca, 0) / k->la, wc = real_max(q * cc, 0) / k->lc;
@@ -103,8 +92,7 @@ static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u
     if (!(sum > 0)) {  /* p on an edge, and c' opposite of b: take c' */
         wa = real_max(ca, 0) / k->la, wc = real_max(cc, 0) / k->lc, sum = wa + wc;
     }
-    real w[3] = {wa / sum, wb / sum, wc / sum};
-    return (vec3){w[(3 - k->first) % 3], w[(4 - k->first) % 3], w[(5 - k->first) % 3]};
+    return (vec3){wa / sum, wb / sum, wc / sum};
 }
 
 /* ---- rectangle ---- */

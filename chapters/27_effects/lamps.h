@@ -73,7 +73,9 @@ static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
     }
 }
 
-/* In the world; where it was moved to, the pad of (16.3) is what rounding adds. */
+/* In the world; where it was moved to, the pad of (16.3) is what rounding adds, once to the corners
+ * and once to the ray that meets it. Climbing has met a fifth of a pad (12's node.h): so less would
+ * be enough, and is not proven to be. */
 static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio_face x, vec3 Ke)
 {
     size_t k;
