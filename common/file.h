@@ -70,8 +70,8 @@ static inline void file_on_signal(int number)
     signal(number, SIG_DFL), raise(number);
 }
 
-/* Ctrl-C, kill, a closed terminal, a reader that has left (| head), no time left (ulimit -t); unless
- * who started the program has them ignored (nohup). Called by options.h. */
+/* Ctrl-C, kill, a closed terminal, a reader that has left (| head), no time left (ulimit -t);
+ * unless who started the program has them ignored (nohup). Called by options.h. */
 static inline void file_watch_signals(void)
 {
     const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};

@@ -187,7 +187,7 @@ static void test_interrupt(void)
     check_equal(child_run(two_signals, NULL).status, 128 + SIGINT, "a second one does");
     r = child_run(two_signals_and_a_file, in_tmp);
     check_equal(r.status, 128 + SIGINT, "while a file is written, too");
-    check(strstr(r.out, in_tmp) == r.out && access(r.out, F_OK) != 0, "none is left half done: %s", r.out);
+    check(strstr(r.out, in_tmp) == r.out && access(r.out, F_OK) != 0, "half a file: %s", r.out);
     check_text(child_run(ignored, NULL).out, "1 1000 1 10", "where Ctrl-C is ignored it stays so");
     check_text(child_run(blocked, NULL).out, "0 11 1 10 1 0", "blocked: heard in the loop alone");
     check_text(child_run(last_piece, NULL).out, "0", "Ctrl-C in the last piece is not forgotten");
