@@ -76,6 +76,9 @@ interrupt() {
 }
 
 turn=0 count=0 divisor=${CLI_DIVISOR:-${CHECK_DIVISOR:-1}}
+case $divisor in
+*[!0-9]* | 0*) echo "cli.sh: CHECK_DIVISOR is $divisor: allowed are whole numbers from 1" >&2; exit 2 ;;
+esac
 [ "$divisor" -le 1 ] || echo "cli.sh: one program of $divisor does all"
 for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     name=$(basename "$(dirname "$main")")
