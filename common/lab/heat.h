@@ -6,9 +6,6 @@
  *      0        1/4        1/2        3/4        1
  *      +---------+----------+----------+---------+     linear between; each is brighter than the
  *      black     blue       violet     orange    white     one before, so it also reads in grey
- *
- *   vec3 c = balance_colour(t)   t in [-1, 1]: blue too few, white as many as are due, orange too
- *                                many; beyond as at the ends
  */
 #ifndef HEAT_H
 #define HEAT_H
@@ -28,13 +25,6 @@ static inline vec3 work_colour(real x)
     int i = x < 3 ? (int)x : 3;
     real f = x - (real)i;
     return vmadd(vscale(scale[i], 1 - f), scale[i + 1], f);
-}
-
-static inline vec3 balance_colour(double t)
-{
-    vec3 full = t < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
-    real part = (real)fmin(fabs(t), 1);
-    return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
 }
 
 #endif
