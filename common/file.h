@@ -63,18 +63,20 @@ static inline void file_drop_begun(void)
         if (file_begun[i]) unlink(file_begun[i]);
 }
 
-/* Ctrl-C or SIGTERM end the program as they would anyway. */
+/* The signal ends the program as it would anyway. */
 static inline void file_on_signal(int number)
 {
     file_drop_begun();
     signal(number, SIG_DFL), raise(number);
 }
 
-/* Unless who started the program has them ignored (nohup). Called by options.h. */
+/* Ctrl-C, kill, a closed terminal, a reader that has left (| head), no time left (ulimit -t);
+ * unless who started the program has them ignored (nohup). Called by options.h. */
 static inline void file_watch_signals(void)
 {
-    if (signal(SIGINT, file_on_signal) == SIG_IGN) signal(SIGINT, SIG_IGN);
-    if (signal(SIGTERM, file_on_signal) == SIG_IGN) signal(SIGTERM, SIG_IGN);
+    const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        if (signal(ends[i], file_on_signal) == SIG_IGN) signal(ends[i], SIG_IGN);
 }
 
 /* Prints "program: text" on stderr and ends the program with f.exit_code, never with 0. */

@@ -33,7 +33,8 @@ typedef struct {
 
 static inline void parallel_on_interrupt(int signal)
 {
-    atomic_store(&parallel_stop, signal), atomic_store(&parallel_signal, signal);
+    atomic_store(&parallel_signal, signal);
+    if (atomic_exchange(&parallel_stop, signal)) file_on_signal(signal);
 }
 
 /* The exit code of a program whose work was stopped: 130 after Ctrl-C, 143 after SIGTERM. */
@@ -84,7 +85,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     parallel_work w = {.job = job, .context = context, .what = what, .n = n};
     sigset_t both, mask;
     struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
-                                       .sa_flags = (int)SA_RESETHAND | SA_RESTART};
+                                                            .sa_flags = SA_RESTART};
     w.start = clock_seconds();
     atomic_store(&parallel_stop, 0);
     sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);

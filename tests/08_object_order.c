@@ -241,6 +241,15 @@ static void test_depths(void)
             if (f == DEPTH_24 || f == DEPTH_FLOAT)
                 check_at_least(gap, step / 16, "%s: and none smaller, at 1e%d", depth_name[f], e);
         }
+    if (real_is_float) return;  /* below, near / z itself would be rounded to such a step */
+    for (depth_format f = 0; f < depth_formats; f++) {
+        size_t same = 0;
+        for (size_t i = 0; i < n; i++) {  /* (8.5) is a slope: at 1000 its step is 0.6 % short */
+            double z = pow(10, 4 * (double)random_next(&g) - 1), on = 1.01 * depth_step(f, 0.01, z);
+            same += depth_key(f, (real)(0.01 / z)) == depth_key(f, (real)(0.01 / (z + on)));
+        }
+        check_equal(same, 0, "%s: a step apart and yet the same, of %zu", depth_name[f], n);
+    }
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -252,8 +252,26 @@ static void test_program(void)
     check_equal(go(small "--range 5:3 --out %s", "p.pfm", ""), 2, "a range backwards");
     check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
     check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");
+    check_equal(go(small "--samples 900000 --resume %s --csv %s", "part.state", "part.state"), 2,
+                "a table instead of the state");
+    check(printed("err", "this run has read it"), "refused before any work");
     check_equal(go("--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out %s", "p.pfm",
                    ""), 0, "any OBJ");
+}
+
+/* A state knows a model by its bytes; a pipe has them only once, and a picture needs them, too. */
+static void test_pipes(void)
+{
+    char text[900];
+    check_equal(mkfifo(in_directory("pipe"), 0600), 0, "made");
+    snprintf(text, sizeof text, "cat chapters/07_mesh/scenes/teapot.obj >%s &",
+             in_directory("pipe"));
+    check_equal(system(text), 0, "filled");
+    alarm(20);  /* who opened the pipe twice would wait for ever */
+    check_equal(go("%s --size 8x6 --samples 1 --out %s", "pipe", "p.pfm"), 0, "a model");
+    alarm(0);
+    check_equal(go("%s --size 8x6 --samples 1 --save %s", "pipe", "p.state"), 2, "no state of it");
+    check(printed("err", "--save and the like want a file, no pipe"), "and says why");
 }
 
 /* ---- the error estimate is what it says ---- */
@@ -414,6 +432,7 @@ int main(void)
     test_environment();
     test_error();
     test_program();
+    test_pipes();
     test_pixel();
     char clean[300];
     snprintf(clean, sizeof clean, "rm -r %s", directory);

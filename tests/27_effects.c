@@ -174,6 +174,8 @@ static void test_priced(void)
     check(printed("out", "\nmirror "), "the last of the six has a mirror: it has its price");
     ends(0, priced " --effects called,-mirror", "out", "\nindirect light ");
     check(!printed("out", "\nmirror "), "what --effects leaves out has none");
+    ends(0, priced " @plain.scene --camera 'from 0 1 6 at 0 9 99'", "out", "\nhard shadows ");
+    check(!printed("out", "nan"), "what is seen is black: of nothing there is no share");
     ends(0, "--size 40x30 --samples 2 --effects all --out @o.pfm", "out",
          "the same picture byte for byte");
 }

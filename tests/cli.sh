@@ -76,6 +76,9 @@ interrupt() {
 }
 
 turn=0 count=0 divisor=${CLI_DIVISOR:-${CHECK_DIVISOR:-1}}
+case $divisor in
+*[!0-9]* | 0*) echo "cli.sh: CHECK_DIVISOR is $divisor: allowed are whole numbers from 1" >&2; exit 2 ;;
+esac
 [ "$divisor" -le 1 ] || echo "cli.sh: one program of $divisor does all"
 for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     name=$(basename "$(dirname "$main")")
@@ -159,6 +162,7 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     sizes='1x300 300x1'
     if [ -e tiny.csv ]; then whole tiny.ppm; else sizes="1x1 $sizes"; fi
     if grep -q '^  --mesh FILE' help; then table_or_misuse --mesh one.obj; fi
+    if grep -q '^  --save FILE' help; then table_or_misuse --save saved.obj; fi
     for size in $sizes; do  # fewer pixels than panels, tiles, threads
         run 0 --quick --size "$size" --out tiny.ppm
         whole tiny.ppm

@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <time.h>
 
 static char dir[] = "/tmp/file_test_XXXXXX";
@@ -245,6 +246,31 @@ static void test_memory(void)
     check(none != NULL, "no items are an array, too"), free(none);
 }
 
+/* An end from outside, while a file is written. */
+static void end_by(void *number)
+{
+    file_writer w;
+    file_watch_signals();
+    if (!file_begin(&w, in_dir("ended"), NULL)) abort();
+    raise((int)(size_t)number);
+    file_abandon(&w);
+}
+
+static void test_signals(void)
+{
+    const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
+    struct rlimit no_core = {0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        void (*before)(int) = signal(ends[i], SIG_DFL);
+        check_equal(child_run(end_by, (void *)(size_t)ends[i]).status, 128 + ends[i], "it ends");
+        check_equal(names_with("ended"), 0, "signal %d leaves nothing half done", ends[i]);
+        signal(ends[i], SIG_IGN);
+        check_equal(child_run(end_by, (void *)(size_t)ends[i]).status, 0, "ignored, it stays so");
+        signal(ends[i], before);
+    }
+}
+
 /* What was read is not replaced, by whatever name, until it is forgotten. Devices have no end. */
 static void test_read_files_stay(void)
 {
@@ -282,6 +308,7 @@ int main(void)
     test_read_large();
     test_memory();
     test_read_files_stay();
+    test_signals();
     char command[64];
     snprintf(command, sizeof command, "rm -rf %s", dir);
     if (system(command) != 0) return 1;

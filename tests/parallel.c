@@ -109,6 +109,14 @@ static void two_signals(void *context)
     if (parallel_for(3, 1, "work", interrupted_twice, context)) abort();
 }
 
+static void two_signals_and_a_file(void *path)
+{
+    file_writer w;
+    if (!file_begin(&w, path, NULL)) abort();
+    printf("%s", w.temporary), fflush(stdout);
+    two_signals(NULL);
+}
+
 static void ignored(void *context)
 {
     signal(SIGINT, SIG_IGN);
@@ -171,11 +179,15 @@ static void nested_interrupt(void *context)
 
 static void test_interrupt(void)
 {
+    char in_tmp[] = "/tmp/parallel_test.out";
     signal(SIGINT, SIG_DFL);  /* the background jobs of a shell begin with Ctrl-C ignored */
     child_result r = child_run(interrupted, NULL);
     check_text(r.out, "0 11 1 10", "Ctrl-C ends after the piece in hand; the next loop is whole");
     check_equal(r.status, 0, "Ctrl-C does not kill");
     check_equal(child_run(two_signals, NULL).status, 128 + SIGINT, "a second one does");
+    r = child_run(two_signals_and_a_file, in_tmp);
+    check_equal(r.status, 128 + SIGINT, "while a file is written, too");
+    check(strstr(r.out, in_tmp) == r.out && access(r.out, F_OK) != 0, "half a file: %s", r.out);
     check_text(child_run(ignored, NULL).out, "1 1000 1 10", "where Ctrl-C is ignored it stays so");
     check_text(child_run(blocked, NULL).out, "0 11 1 10 1 0", "blocked: heard in the loop alone");
     check_text(child_run(last_piece, NULL).out, "0", "Ctrl-C in the last piece is not forgotten");

@@ -51,6 +51,7 @@ int main(int argc, char **argv)
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         die(2, "bad value --up %s: allowed are x, y, z", up);
     if (save && !ends_with(save, ".obj")) die(2, "--save %.300s: its name ends in .obj", save);
+    if (save && (o.out || o.csv)) die(2, "--save: not with --out, --csv");
     o.own = path || save || fineness != 6;
     mesh m = path ? mesh_measured(path) : teapot_mesh(o.quick && !o.own ? 1 : fineness);
     if (smooth) mesh_smooth_normals(&m);

@@ -7,7 +7,7 @@
  *   DEPTH_FLOAT      1 - near / z in float     0 at the near plane, 1 at infinity: what far things
  *                                              differ by is lost beside the 1
  *   DEPTH_24         1 - near / z in 24 bits   the same steps everywhere from 0 to 1
- *   DEPTH_LINEAR     z in float                needs a division a pixel
+ *   DEPTH_LINEAR     z / near in float         needs a division a pixel
  *
  *   uint32_t k = depth_key(format, near * 1/z)     the smaller the nearer, whatever the format
  *   double s = depth_step(format, near, z)         how far behind z something must be to be told
@@ -56,9 +56,9 @@ static inline uint32_t depth_key(depth_format f, real x)
 static inline double depth_step(depth_format f, double near_z, double z)
 {
     double x = near_z / z, of_x = z * z / near_z;
-    float stored = (float)(f == DEPTH_FLOAT ? 1 - x : f == DEPTH_LINEAR ? z : x);
+    float stored = (float)(f == DEPTH_FLOAT ? 1 - x : f == DEPTH_LINEAR ? 1 / x : x);
     double spacing = (double)(nextafterf(stored, INFINITY) - stored);
-    return f == DEPTH_24 ? of_x / 0xffffff : f == DEPTH_LINEAR ? spacing : of_x * spacing;
+    return f == DEPTH_24 ? of_x / 0xffffff : spacing * (f == DEPTH_LINEAR ? near_z : of_x);
 }
 
 #endif

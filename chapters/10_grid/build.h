@@ -39,7 +39,7 @@ static inline int grid_most_cells(real side, real margin)
     return (int)real_clamp(side / (8 * margin), 1, 1 << 20);
 }
 
-/* (10.3). Axes thinner than a cell are left out, one after the other. Sides are measured by the
+/* 2. (10.3). Axes thinner than a cell are left out, one after the other. Sides are measured by the
  * longest: the volume of a box of 1e-110 is 0 in double. */
 static inline void grid_resolution(aabb box, double cells, real margin, int n[3])
 {

@@ -122,6 +122,26 @@ static inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox
     return found;
 }
 
+/* The root, an inner cell; false: the ray misses it. limit: s of the ray's end. */
+__attribute__((always_inline))
+static inline bool octree_root(const octree *t, const octree_ray *o, ray r, real limit,
+                               octree_level *out)
+{
+    real half = t->size / 2;
+    vec3 to = vadd(vsub(t->lo, r.o), (vec3){half, half, half});
+    vec3 m = {r.d.x < 0 ? -to.x : to.x, r.d.y < 0 ? -to.y : to.y, r.d.z < 0 ? -to.z : to.z};
+    m = vmul(m, o->inverse);
+    vec3 reach = vadd(vscale(o->inverse, half), o->pad);
+    vec3 enter = vsub(m, reach), leave = vadd(m, reach);
+    real s0 = real_max(enter.x, real_max(enter.y, real_max(enter.z, octree_way(o, r.tmin, -1))));
+    real s1 = real_min(leave.x, real_min(leave.y, real_min(leave.z, limit)));
+    if (s0 > s1) return false;
+    const octree_node n = t->node[0];
+    *out = (octree_level){m, s0, s1, half / 2, n.first, 0};
+    out->left = octree_flipped(n.kind, o->flip) & octree_passed(o, m, s0, s1);
+    return true;
+}
+
 __attribute__((always_inline))
 static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *out,
                                search_work *work, octree_trail *trail)
@@ -138,18 +158,9 @@ static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *
         return any ? found : query_answer(&q, out);
     }
 
-    /* The root */
-    real limit = octree_way(&o, r.tmax, +1), half = t->size / 2;
-    vec3 to = vadd(vsub(t->lo, r.o), (vec3){half, half, half});
-    vec3 m = {r.d.x < 0 ? -to.x : to.x, r.d.y < 0 ? -to.y : to.y, r.d.z < 0 ? -to.z : to.z};
-    m = vmul(m, o.inverse);
-    vec3 reach = vadd(vscale(o.inverse, half), o.pad);
-    vec3 enter = vsub(m, reach), leave = vadd(m, reach);
-    real s0 = real_max(enter.x, real_max(enter.y, real_max(enter.z, octree_way(&o, r.tmin, -1))));
-    real s1 = real_min(leave.x, real_min(leave.y, real_min(leave.z, limit)));
-    if (s0 > s1) return false;
-    octree_level c = {m, s0, s1, half / 2, n.first, 0};
-    c.left = octree_flipped(n.kind, o.flip) & octree_passed(&o, m, s0, s1);
+    octree_level c;
+    real limit = octree_way(&o, r.tmax, +1);
+    if (!octree_root(t, &o, r, limit, &c)) return false;
     if (work) work->nodes++;
 
     for (;;) {

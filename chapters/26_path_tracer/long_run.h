@@ -34,11 +34,14 @@ static inline bool long_run_given(const long_run *l)
     return l->save || l->resume || l->error > 0 || l->seconds > 0;
 }
 
-/* h, and all bytes of a file. */
+/* h, and all bytes of a file, which somebody else reads, too: a pipe would be empty by then. */
 static inline uint64_t long_run_hash(uint64_t h, const char *path)
 {
     size_t n;
     failure f;
+    struct stat what;
+    if (stat(path, &what) == 0 && S_ISFIFO(what.st_mode))
+        die(2, "%.200s: --save and the like want a file, no pipe", path);
     char *text = file_read(path, &n, &f);
     if (!text) fail(f);
     h = state_hash(h, text, n), free(text);
@@ -59,7 +62,9 @@ static inline film long_run_begin(long_run *l, const options *o, int width, int 
     if (!l->resume) m = film_new(width, height);
     else if (!state_read(l->resume, &m, l->settings, &f)) fail(f);
     if (l->resume && l->save && option_same_file(l->resume, l->save)) file_forget(l->save);
-    if ((l->save && !file_try(l->save, &f)) || (o->out && !file_try(o->out, &f))) fail(f);
+    const char *to[] = {l->save, o->out, o->csv};  /* what has been read by now they must not be */
+    for (int k = 0; k < 3; k++)
+        if (to[k] && !file_try(to[k], &f)) fail(f);
     if (!l->resume) return m;
     if (m.width != width || m.height != height)
         die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", l->resume, m.width,

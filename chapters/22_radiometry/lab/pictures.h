@@ -30,7 +30,8 @@ typedef struct {
     uint32_t count[floor_lights][floor_cells * floor_cells];
 } radiometry_floors;
 
-/* By the logarithm: black at pi / 1024 and below, white at pi. */
+/* By the logarithm: black at this and below, white at pi, 10 doublings above. */
+#define floor_black ((double)pi / 1024)
 static inline vec3 floor_heat(double e)
 {
     return work_colour((real)(e > 0 ? log2(e / (double)pi) / 10 + 1 : 0));
@@ -42,13 +43,16 @@ static inline void photon_job(size_t light, void *context)
     floor_photons((floor_light)light, f->seed, f->photons, f->count[light]);
 }
 
+/* Under the ball there is no floor, and on black there are no lines. */
 static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, int row, real x,
                                 real y, real px)
 {
     double counted = f->count[light][floor_cell(y) * floor_cells + floor_cell(x)];
     if (row) return floor_heat(counted / floor_expected(light, 1, (double)f->photons));
+    vec3 p = {x, y, 0};
+    if (light == FLOOR_SPHERE && vlength(vsub(p, buried.c)) < buried.r) return floor_heat(0);
     double e = (double)floor_exact(light, x, y), level = floor(log2(e));
-    bool line = e > 1.0 / 1024 && (floor(log2((double)floor_exact(light, x + px, y))) != level
+    bool line = e > floor_black && (floor(log2((double)floor_exact(light, x + px, y))) != level
                                    || floor(log2((double)floor_exact(light, x, y + px))) != level);
     return line ? vec(0.9, 0.9, 0.9) : floor_heat(e);
 }
@@ -81,7 +85,7 @@ static inline void draw_floor(const options *o)
         enum { strip = 46 };                    /* below: a bar of the colours */
         label_titles(&im, floor_lights, floor_rows, floor_gap, title), label_below(&im, strip);
         label_bar(&im, im.width / 4, im.height - strip + 8, im.width / 2, 9, work_colour,
-                  (double)pi / 1024, (double)pi,
+                  floor_black, (double)pi,
                   "irradiance [W/m^2], twice as much at each white line");
     }
     output_picture(o, &im, "22_radiometry.png", true, whole);

@@ -54,9 +54,11 @@ static inline bool command_given(const command *c, const options *o)
         || c->clamp > 0 || o->samples > 0;
 }
 
-static inline unsigned long long command_file(const char *path)
+/* What a state says of a file. */
+static inline unsigned long long command_file(const command *c, const char *path)
 {
-    return path ? long_run_hash(state_hash_start, path) : 0;
+    bool wanted = path && (c->run.save || c->run.resume);
+    return wanted ? long_run_hash(state_hash_start, path) : 0;
 }
 
 static inline const char *command_of(const command *c)
@@ -68,8 +70,8 @@ static inline const char *command_of(const command *c)
 static inline void command_settings(command *c, const options *o)
 {
     snprintf(c->run.settings, state_settings, "scene %.100s\nfile %016llx\nenvironment %016llx\n"
-             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file(c->obj),
-             command_file(c->sky), c->clamp, real_is_float ? "float" : "double",
+             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file(c, c->obj),
+             command_file(c, c->sky), c->clamp, real_is_float ? "float" : "double",
              (unsigned long long)o->seed);
 }
 

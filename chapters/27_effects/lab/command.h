@@ -47,7 +47,7 @@ static inline void request_read(const request *q, const options *o, studio *s)
 }
 
 /* All that a sample depends on, but for its number and the size: what is in the files, and what the
- * command line says of the scene. A pipe can't be read again. */
+ * command line says of the scene. */
 static inline void request_settings(request *q, const options *o, const studio *s, unsigned mask)
 {
     const studio_words *x = &q->words;
@@ -57,10 +57,7 @@ static inline void request_settings(request *q, const options *o, const studio *
     for (uint32_t k = 1; k < s->files.n && long_run_given(&q->run); k++) {
         const char *path = name_text(&s->files, k);
         struct stat what;
-        if (stat(path, &what) != 0) continue;
-        if (!S_ISREG(what.st_mode))
-            die(2, "%.200s: --save and the like want a file, no pipe", path);
-        h = long_run_hash(h, path);
+        if (stat(path, &what) == 0) h = long_run_hash(h, path);
     }
     for (size_t k = 0; k < sizeof word / sizeof *word; k++)
         if (word[k]) h = state_hash(h, word[k], strlen(word[k])), h = state_hash(h, &k, 1);

@@ -65,13 +65,14 @@ static inline void price_row(table *t, const plan *p, price_run *k, price_run *a
     double a = clock_median(with->seconds, rounds), b = clock_median(without->seconds, rounds);
     double mean = price_mean(&with->im), its = mean - price_mean(&without->im);
     bool one = k->effect >= 0;
-    k->light = its / mean * 100, k->time = (a - b) / (k->declined ? b : a) * 100;
+    k->light = mean > 0 ? its / mean * 100 : 0, k->time = (a - b) / (k->declined ? b : a) * 100;
     table_text(t, "%s", one ? effect_names[k->effect].name : "the plan");
     table_text(t, "%s", one ? verdict_names[p->verdict[k->effect]] : "-");
     table_count(t, with->j.counts.rays[one ? k->effect : RAY_OF_EYE]);
-    if (one) table_number(t, k->light), table_number(t, image_compare(&k->im, &all->im).rmse),
-             table_number(t, k->time);
-    else table_text(t, "-"), table_text(t, "-"), table_text(t, "-");
+    if (one && mean > 0) table_number(t, k->light);
+    else table_text(t, "-");  /* nothing of a black picture is a share */
+    if (one) table_number(t, image_compare(&k->im, &all->im).rmse), table_number(t, k->time);
+    else table_text(t, "-"), table_text(t, "-");
     table_number(t, (k->declined ? a : b) / draw_pixels(&k->j) * 1e6);
 }
 
