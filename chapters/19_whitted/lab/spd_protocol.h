@@ -40,11 +40,8 @@ typedef struct { ray r; int depth; ray_kind kind; } spd_branch;
 /* ---------------------------------------------------------------------------------------------- */
 
 static const ray_program spd_programs[ray_kinds] = {
-    [RAY_CAMERA] = {MASK_SEEN, false, NULL, NULL, NULL},
-    [RAY_SHADOW] = {MASK_SHADOW, true, NULL, NULL, NULL},
-    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, NULL, NULL},
-    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, NULL, NULL},
-};
+    [RAY_CAMERA] = {.mask = MASK_SEEN}, [RAY_SHADOW] = {.mask = MASK_SHADOW, .first = true},
+    [RAY_REFLECTION] = {.mask = MASK_SEEN}, [RAY_REFRACTION] = {.mask = MASK_SEEN}};
 
 /* The branches of a hit; at the last depth none. */
 static inline int spd_children(const spd_branch *b, const finish *f, const surface *s,

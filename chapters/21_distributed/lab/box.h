@@ -51,14 +51,13 @@ static inline distributed_box *box_new(bool sized, vec3 ambient, real reach)
     distributed_box *b = allocate(1, sizeof *b);
     uint8_t part_of_light[cornell_triangles];
     vec3 s = cornell_side_s, t = cornell_side_t, normal = vcross(s, t);
-    real A = vlength(normal);
     b->walls = box_mesh(false, b->part_of), b->square = box_mesh(true, part_of_light);
     world_part_of_mesh(&b->walls, MASK_ALL, &b->part[0]);
     world_part_of_mesh(&b->square, MASK_SEEN, &b->part[1]);
     b->w = (trace_world){b->part, 2};
-    b->light = (area_light){AREA_RECTANGLE, vmadd(vmadd(cornell_corner, s, 0.5), t,
-                                                  0.5), s, t, vunit(normal), 0,
-                            vscale(cornell_radiance, A)};
+    vec3 middle = vmadd(vmadd(cornell_corner, s, 0.5), t, 0.5);
+    b->light = (area_light){AREA_RECTANGLE, middle, s, t, vunit(normal), 0,
+                            vscale(cornell_radiance, vlength(normal))};
     if (!sized) b->light.a = b->light.b = (vec3){0, 0, 0};
     b->how = (distributed){.light = &b->light, .n = 1, .material_of = box_material, .context = b,
                            .ambient = ambient, .reach = reach, .depth = 1};
