@@ -71,6 +71,9 @@ MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 12_kdtree 13_bs
 ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
 
 BUILD ?= build
+ifneq ($(words $(filter-out / . ..,$(BUILD))) $(words $(filter double float,$(REAL))),1 1)
+$(error BUILD is '$(BUILD)', REAL '$(REAL)': allowed are the name of a folder, without blanks; double, float)
+endif
 # Objects of other flags are other objects: each set has its own stamp, and a change rebuilds.
 STAMP := $(BUILD)/flags
 MAINS := $(sort $(wildcard chapters/*/main.c))
@@ -203,10 +206,10 @@ hard-cases:
 TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
 csv:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
-	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
+	@mkdir -p $(BUILD)/csv && ln -sfn "$(CURDIR)/chapters" $(BUILD)/csv/chapters
 	@for c in $(TABLED); do case " $(WHOLE) " in *" $$c "*) full=--full ;; *) full= ;; esac; \
 	  echo "$$c $$full --csv"; \
-	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c $$full --csv $$c.csv >$$c.out) || exit 1; done
+	  (cd $(BUILD)/csv && "$(abspath $(BUILD))/$$c" $$full --csv $$c.csv >$$c.out) || exit 1; done
 $(BUILD)/costs: tests/costs/costs.c $(STAMP)
 	$(if $(V),,@echo "CC tests/costs/costs")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)

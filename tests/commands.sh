@@ -137,7 +137,7 @@ ready() {
 }
 
 run_all() {
-    git clone -q "$root" "$scratch/clone" && cd "$scratch/clone" || exit 1
+    git clone -q "$root" "$scratch/a clone" && cd "$scratch/a clone" || exit 1  # a blank in its path
     (cd "$root" && commands "$@") >"$scratch/all"
     if make >"$scratch/said" 2>&1; then ok; else no "make: $(tail -n 3 "$scratch/said")"; fi  # as long as it takes
     while IFS='	' read -r at command; do

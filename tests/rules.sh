@@ -97,6 +97,13 @@ if [ "${REAL:-double}" = float ]; then
     if [ -s "$scratch/widened" ]; then no "float: $(head -n 5 "$scratch/widened")"; else ok; fi
 fi
 
+# The path of a clone may hold a blank, so in recipes it stands in quotes; a BUILD that cannot be is refused.
+bare=$(grep -n '^	.*[^"]$(\(CURDIR\|abspath\)' Makefile)
+if [ -z "$bare" ]; then ok; else no "Makefile: a path without quotes: $bare"; fi
+for wrong in BUILD= BUILD=/ 'BUILD=a b' REAL=long; do
+    if make -n "$wrong" help >/dev/null 2>&1; then no "make takes $wrong"; else ok; fi
+done
+
 # Each room of common/ has its cap: what is shared stays small.
 cap() {  # cap FOLDER LINES
     lines=$(cat "$1"/*.h | wc -l)
