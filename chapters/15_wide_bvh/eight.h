@@ -8,8 +8,9 @@
  *   EIGHT_MIN(a, b), EIGHT_MAX(a, b)             one           one        one
  *   EIGHT_FMA(a, b, c): a b + c                  one or two    one        one
  *   EIGHT_FAR(a, b): the larger of |a|, |b|      three         three      one
- *   EIGHT_LE(a, b): all bits of a lane, if a <= b    one       one        one
- *   EIGHT_BITS(a): the sign of each lane, a bit  nine          one        one
+ *   EIGHT_LE(a, b): lanes of ones where a <= b   one           one        one
+ *   EIGHT_BITS(lanes): eight bits, a sign each   eight         one        one
+ *   EIGHT_LE_BITS(a, b): both                    nine          two        one
  *
  * Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
  * C compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and
@@ -45,8 +46,12 @@ typedef __m256 eight;
      ? _mm256_max_ps(EIGHT_ABS(a), EIGHT_ABS(b)) : EIGHT_LOOP(eight_far, a, b))
 #define EIGHT_LE(a, b) \
     (EIGHT_DIALECT ? (eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ) : (eight_whole)((a) <= (b)))
-#define EIGHT_BITS(a) \
-    (EIGHT_DIALECT ? (unsigned)_mm256_movemask_ps((eight)(a)) : eight_bits((const eight_whole[]){a}))
+#define EIGHT_BITS(lanes) \
+    (EIGHT_DIALECT ? (unsigned)_mm256_movemask_ps((eight)(lanes)) \
+     : eight_bits((const eight_whole[]){lanes}))
+#define EIGHT_LE_BITS(a, b) \
+    (EIGHT_DIALECT == 2 ? (unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) \
+     : EIGHT_BITS(EIGHT_LE(a, b)))
 #else
 #define EIGHT_X86 0
 typedef float eight __attribute__((vector_size(32), may_alias));
@@ -55,7 +60,8 @@ typedef float eight __attribute__((vector_size(32), may_alias));
 #define EIGHT_FMA(a, b, c) EIGHT_LOOP(eight_fma, a, b, c)
 #define EIGHT_FAR(a, b) EIGHT_LOOP(eight_far, a, b)
 #define EIGHT_LE(a, b) ((eight_whole)((a) <= (b)))
-#define EIGHT_BITS(a) eight_bits((const eight_whole[]){a})
+#define EIGHT_BITS(lanes) eight_bits((const eight_whole[]){lanes})
+#define EIGHT_LE_BITS(a, b) EIGHT_BITS(EIGHT_LE(a, b))
 #endif
 
 /* For dialects.h. EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512. A function

@@ -151,7 +151,7 @@ __attribute__((always_inline))
 static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *enter,
                             uint64_t *stack, int top)
 {
-    const uint32_t *bits = (const uint32_t *)enter;  /* which may alias: a copy is three */
+    const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
     int base = top, k = __builtin_ctz(mask);
     uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
     while (mask &= mask - 1) {

@@ -25,7 +25,7 @@ static inline unsigned EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, 
     eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
     begin = EIGHT_MAX(EIGHT_MAX(near[0], near[1]), begin);
     *enter = EIGHT_MAX(begin, EIGHT_ALL(0));
-    return EIGHT_BITS(EIGHT_LE(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end)));
+    return EIGHT_LE_BITS(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
 }
 
 /* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
@@ -59,7 +59,7 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-    /* Empty places, and what the caller leaves out: as floats, -1 is NaN, and never >= 0. */
+    /* Empty places, and what the caller leaves out. */
     eight_whole i = *(const eight_whole *)b->index, out;
     out = (i == (int32_t)q->skip->from) | i >> 31;
     out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
