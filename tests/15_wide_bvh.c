@@ -400,7 +400,7 @@ static void test_streams(void)
     check(bvh8_build(&nothing, bvh8_defaults, &empty, &f), "built of nothing");
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(42, i, 0);
-        ray r[stream_rays], own[stream_rays];
+        ray r[stream_rays];
         hit out[stream_rays];
         stream_work work = {0, 0};
         int n = 1 + (int)(i % stream_rays);
@@ -410,8 +410,7 @@ static void test_streams(void)
             r[k] = ray_from(o, k == 3 && i % 5 == 0 ? vec(0, 0, 0) : vsub(t.a, o));
             if (k == 6) r[k].tmax = (real)0.99;
         }
-        memcpy(own, r, sizeof own);
-        bvh8_hit_stream(&w, own, n, out, &work);
+        bvh8_hit_stream(&w, r, n, out, &work);
         for (int k = 0; k < n; k++) {
             hit h;
             bool due = bvh8_hit(&w, r[k], &h);

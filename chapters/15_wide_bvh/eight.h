@@ -8,7 +8,9 @@
  *   EIGHT_MIN(a, b), EIGHT_MAX(a, b)             one           one        one
  *   EIGHT_FMA(a, b, c): a b + c                  one or two    one        one
  *   EIGHT_FAR(a, b): the larger of |a|, |b|      three         three      one
- *   EIGHT_LE(a, b): eight bits, where a <= b     twelve        two        one
+ *   EIGHT_LE(a, b): lanes of ones where a <= b   one           one        one
+ *   EIGHT_BITS(lanes): eight bits, a sign each   eight         one        one
+ *   EIGHT_LE_BITS(a, b): both                    nine          two        one
  *
  * Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
  * C compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and
@@ -43,16 +45,23 @@ typedef __m256 eight;
     (EIGHT_DIALECT == 2 ? _mm256_range_ps(a, b, 11) : EIGHT_DIALECT \
      ? _mm256_max_ps(EIGHT_ABS(a), EIGHT_ABS(b)) : EIGHT_LOOP(eight_far, a, b))
 #define EIGHT_LE(a, b) \
-    (EIGHT_DIALECT == 2 ? (unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) : EIGHT_DIALECT \
-     ? (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)) : EIGHT_LOOP(eight_le, a, b))
+    (EIGHT_DIALECT ? (eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ) : (eight_whole)((a) <= (b)))
+#define EIGHT_BITS(lanes) \
+    (EIGHT_DIALECT ? (unsigned)_mm256_movemask_ps((eight)(lanes)) \
+     : eight_bits((const eight_whole[]){lanes}))
+#define EIGHT_LE_BITS(a, b) \
+    (EIGHT_DIALECT == 2 ? (unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) \
+     : EIGHT_BITS(EIGHT_LE(a, b)))
 #else
 #define EIGHT_X86 0
-typedef float eight __attribute__((vector_size(32)));
+typedef float eight __attribute__((vector_size(32), may_alias));
 #define EIGHT_MIN(a, b) EIGHT_LOOP(eight_min, a, b)
 #define EIGHT_MAX(a, b) EIGHT_LOOP(eight_max, a, b)
 #define EIGHT_FMA(a, b, c) EIGHT_LOOP(eight_fma, a, b, c)
 #define EIGHT_FAR(a, b) EIGHT_LOOP(eight_far, a, b)
-#define EIGHT_LE(a, b) EIGHT_LOOP(eight_le, a, b)
+#define EIGHT_LE(a, b) ((eight_whole)((a) <= (b)))
+#define EIGHT_BITS(lanes) eight_bits((const eight_whole[]){lanes})
+#define EIGHT_LE_BITS(a, b) EIGHT_BITS(EIGHT_LE(a, b))
 #endif
 
 /* For dialects.h. EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512. A function
@@ -115,13 +124,15 @@ static inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT3
 
 /* A bit a lane, and then all ORed. */
 __attribute__((always_inline))
-static inline unsigned eight_le(const eight *x)
+static inline unsigned eight_bits(const eight_whole *x)
 {
-    eight_whole lane;
-    uint64_t m[4];
-    for (int k = 0; k < 8; k++) lane[k] = x[0][k] <= x[1][k] ? 1 << k : 0;
-    memcpy(m, &lane, sizeof m);
-    m[0] |= m[1] | m[2] | m[3];
+    const eight_whole bit = *x & (eight_whole){1, 2, 4, 8, 16, 32, 64, 128};
+    whole4 half[2];
+    uint64_t m[2];
+    memcpy(half, &bit, sizeof half);
+    half[0] |= half[1];
+    memcpy(m, half, sizeof m);
+    m[0] |= m[1];
     return (unsigned)(m[0] | m[0] >> 32);
 }
 

@@ -151,9 +151,8 @@ __attribute__((always_inline))
 static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *enter,
                             uint64_t *stack, int top)
 {
-    uint32_t bits[8];
+    const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
     int base = top, k = __builtin_ctz(mask);
-    memcpy(bits, enter, sizeof bits);
     uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
     while (mask &= mask - 1) {
         k = __builtin_ctz(mask);

@@ -25,7 +25,7 @@ static inline unsigned EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, 
     eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
     begin = EIGHT_MAX(EIGHT_MAX(near[0], near[1]), begin);
     *enter = EIGHT_MAX(begin, EIGHT_ALL(0));
-    return EIGHT_LE(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
+    return EIGHT_LE_BITS(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
 }
 
 /* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
@@ -59,12 +59,12 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-    /* Empty places, and what the caller leaves out: as floats, -1 is NaN, and never >= 0. */
+    /* Empty places, and what the caller leaves out. */
     eight_whole i = *(const eight_whole *)b->index, out;
     out = (i == (int32_t)q->skip->from) | i >> 31;
     out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
-    unsigned left = EIGHT_LE(zero, (eight)out) & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
-    if (left == 0) return false;
+    eight_whole maybe = ~out & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
+    if (EIGHT_BITS(maybe) == 0) return false;
     eight det = v.e[0] + v.e[1] + v.e[2], scaled = 1 / det;
     eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
     eight t = EIGHT_FMA(sum, scaled, -EIGHT_ALL(q->oz)) * q->sz;
@@ -73,16 +73,17 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     eight error = EIGHT_FMA(EIGHT_FAR(scaled * q->sz, zero), 4 * bound * spread,     /* (15.9) */
                             EIGHT_ALL(q->tail));
     eight first = t - error, last = t + error;
-    unsigned sure = EIGHT_LE(bound * 2.02f, EIGHT_MAX(v.lo, -v.hi));
-    left &= ~sure | (EIGHT_LE(first, EIGHT_ALL(q->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), last));
+    eight_whole sure = EIGHT_LE(bound * 2.02f, EIGHT_MAX(v.lo, -v.hi));
+    maybe &= ~sure | (EIGHT_LE(first, EIGHT_ALL(q->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), last));
+    unsigned left = EIGHT_BITS(maybe);
     if (left == 0) return false;
-    unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
-        & EIGHT_LE(last, EIGHT_ALL(q->sure_max));
+    unsigned safe = EIGHT_BITS(maybe & sure & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
+                               & EIGHT_LE(last, EIGHT_ALL(q->sure_max)));
     if (any && safe) return true;
     bool doubt = left != safe || q->doubts > bvh8_most_doubts - 16;
     for (; left; left &= left - 1) {
         int k = __builtin_ctz(left);
-        q->doubt[q->doubts++] = (bvh8_doubt){b, k, sure >> k & 1 ? first[k] : -INFINITY};
+        q->doubt[q->doubts++] = (bvh8_doubt){b, k, sure[k] ? first[k] : -INFINITY};
         if (safe >> k & 1 && last[k] < q->limit) q->limit = last[k];
     }
     return doubt && bvh8_settle(w, q) && any;

@@ -15,12 +15,13 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             const bvh8_block *b = &w->block[at & ~bvh8_leaf];
             EIGHT(bvh8_view) v;
             EIGHT(bvh8_look)(b, &q, &v);
-            unsigned left = EIGHT_LE(EIGHT_ALL(0), v.lo) | EIGHT_LE(v.hi, EIGHT_ALL(0));
-            if (left) {
+            eight_whole in = EIGHT_LE(EIGHT_ALL(0), v.lo) | EIGHT_LE(v.hi, EIGHT_ALL(0));
+            if (EIGHT_BITS(in)) {
                 eight scaled = 1 / (v.e[0] + v.e[1] + v.e[2]);
                 eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
                 eight t = (sum * scaled - q.oz) * q.sz, U = v.e[1] * scaled, V = v.e[2] * scaled;
-                left &= EIGHT_LE(t, EIGHT_ALL(q.limit)) & EIGHT_LE(EIGHT_ALL(q.tmin), t);
+                in &= EIGHT_LE(t, EIGHT_ALL(q.limit)) & EIGHT_LE(EIGHT_ALL(q.tmin), t);
+                unsigned left = EIGHT_BITS(in);
                 if (left && !out) return true;
                 for (; left; left &= left - 1) {
                     int k = __builtin_ctz(left);

@@ -24,9 +24,9 @@ typedef struct { uint32_t child, rays; float enter; } stream_waiting;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void bvh8_hit_stream(const bvh8 *w, ray *r, int n, hit *out, stream_work *work)
+static inline void bvh8_hit_stream(const bvh8 *w, const ray *r, int n, hit *out, stream_work *work)
 {
-    static void (*const search[])(const bvh8 *w, ray *r, int n, hit *out, stream_work *work) = {
+    static void (*const search[])(const bvh8 *, const ray *, int, hit *, stream_work *) = {
 #if EIGHT_X86
         bvh8_stream_0, bvh8_stream_1, bvh8_stream_2
 #else
@@ -42,13 +42,12 @@ typedef struct { const bvh8 *w; const ray_set *rays; int together; size_t hits; 
 static inline double stream_run(void *context)
 {
     stream_pass *p = context;
-    ray r[stream_rays];
     hit h[stream_rays];
     p->hits = 0, p->work = (stream_work){0, 0};
     for (size_t i = 0; i < p->rays->n; i += (size_t)p->together) {
         int n = (int)(p->rays->n - i < (size_t)p->together ? p->rays->n - i : (size_t)p->together);
-        memcpy(r, p->rays->r + i, (size_t)n * sizeof *r);
-        if (n == 1) h[0].shape = bvh8_hit(p->w, r[0], h) ? h[0].shape : no_shape;
+        const ray *r = p->rays->r + i;
+        if (n == 1) h[0].shape = bvh8_hit(p->w, *r, h) ? h[0].shape : no_shape;
         else bvh8_hit_stream(p->w, r, n, h, &p->work);
         for (int k = 0; k < n; k++) p->hits += h[k].shape != no_shape;
     }
