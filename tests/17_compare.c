@@ -607,8 +607,8 @@ static void test_costs(void)
     comparison s = {.entries = 2};
     for (int k = 0; k < compare_kinds; k++) s.rays[k].n = k < 2 ? 100 : 0;
     compare_entry *a = &s.entry[0], *b = &s.entry[1];
-    *a = (compare_entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
-    *b = (compare_entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
+    *a = (compare_entry){.c = &brute_contender, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
+    *b = (compare_entry){.c = &bvh_contender, .rays = {100, 100}, .build = 0.5,
                  .seconds = {1e-5, 3e-5}};
     check_close(cost_ns(a, KIND_SHADOW), 3000, 1e-11, "6e-5 s for 20 rays");
     check_close(cost_mean(&s, a), 2e-6, 1e-20, "1000 and 3000 ns, as many of each");
@@ -623,8 +623,8 @@ static void test_cheapest(void)
     static const double build[4] = {0, 10, 9.8, 50}, seconds[4] = {100, 50, 47, 20};
     comparison s = {.entries = 4};
     for (int k = 0; k < 4; k++)
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .s = &s, .build = build[k],
-                                     .rays = {1}, .seconds = {seconds[k]}};
+        s.entry[k] = (compare_entry){.c = &bvh_contender, .build = build[k],
+                                     .rays = {1}, .seconds = {seconds[k]}, .fits = true};
     s.rays[0].n = 1;
     double from = 0;
     const compare_entry *e = cost_next(&s, &s.entry[0], &from);
@@ -639,32 +639,77 @@ static void test_cheapest(void)
 
 static void test_winners(void)
 {
+    static const double seconds[3] = {3e-6, 1e-6, 2e-6}, build[3] = {0, 5, 0.5};
     line_up three = {.n = 0};
     choose(&three, &brute_contender), choose(&three, &grid_contender);
     choose(&three, &nested_contender);
-    compare_summary m = {.chosen = &three};
-    summary_row r = {"x", 1, {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}, {0}, {0}, {0}};
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
-    check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
-    r.ray[2] = 0.98e-6;
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "two percent are noise");
-    r.ray[1] = -1;
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
+    comparison s = {.entries = 3, .rays = {{NULL, 1}}};
+    for (int k = 0; k < 3; k++)
+        s.entry[k] = (compare_entry){.choice = &three.of[k], .c = three.of[k].c, .fits = true,
+                                     .build = build[k], .rays = {1}, .seconds = {seconds[k]}};
+    check(strcmp(summary_fastest(&s, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
+    check(strcmp(summary_fastest(&s, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
+    s.entry[2].seconds[0] = 0.98e-6;
+    check(strcmp(summary_fastest(&s, 1, 0), "grid") == 0, "two percent are noise");
+    s.entry[1].fits = false;
+    check(strcmp(summary_fastest(&s, 1, 0), "nested") == 0, "what does not fit does not win");
+}
+
+/* Numbers outlive the structures: tables are made of them when all scenes are done. */
+static void test_kept(void)
+{
+    world w = tiny("tetra");
+    comparison s;
+    line_up one = {.n = 0};
+    choose(&one, &bvh_contender);
+    measured_scenes m = {.chosen = &one};
+    compare_begin(&s, &w, &one, (size_t)1 << 30, 1);
+    compare_rays(&s, 64, 7);
+    cost_measure(&s, 1);
+    double seconds = cost_mean(&s, &s.entry[0]);
+    const comparison *kept = measured_add(&m, &s);
+    world_free(&w);
+    check(seconds > 0 && cost_mean(kept, &kept->entry[0]) == seconds, "%g s a ray", seconds);
+    check(!kept->entry[0].s && kept->entry[0].fits, "the tree is gone, and did fit");
+    check(strcmp(kept->name, "tetra") == 0 && kept->x.n == 64, "of %s, %zu", kept->name, kept->x.n);
+    measured_free(&m);
 }
 
 static void test_growth(void)
 {
     double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
-    growth_result g = {.m = {.rows = 5}};
+    comparison *of = allocate(5, sizeof *of);
+    measured_scenes m = {.of = of, .n = 5};
     for (int i = 0; i < 5; i++) {
-        summary_row *r = &g.m.row[i];
-        r->shapes = (size_t)1 << 2 * i, r->ray[0] = exp2(i), r->ray[1] = i < 3 ? 1 : -1;
-        g.steps[i][0] = 6 * i;
+        of[i] = (comparison){.entries = 2, .x = {.n = (size_t)1 << 2 * i}, .rays = {{NULL, 1}}};
+        of[i].entry[0] = (compare_entry){.fits = true, .rays = {1}, .counted = {1},
+            .seconds = {exp2(i)}, .work = {{.nodes = 4 * (size_t)i, .tests = 2 * (size_t)i}}};
+        of[i].entry[1] = (compare_entry){.fits = i < 3, .rays = {1}, .seconds = {1}};
     }
-    check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
+    check_equal((size_t)growth_points(&m, 0, x, y, steps), 5, "five sizes");
     check_close(bench_slope(x, y, 5), 0.5, 1e-15, "time ~ n^0.5");
     check_close(bench_slope(x, steps, 5), 3, 1e-15, "three more steps a doubling");
-    check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
+    check_equal((size_t)growth_points(&m, 1, x, y, steps), 3, "left out of the others");
+    measured_free(&m);
+}
+
+/* Who is out of the next size: slow to build, slow to search, or not built; brute force may be
+ * slow, and who is the quickest to build stays. */
+static void test_growth_leaves(void)
+{
+    static const struct { const contender *c; double build, ray; bool fits, out; } list[] = {
+        {&brute_contender, 0, 500, true, false}, {&bvh_contender, 5, 1, true, false},
+        {&grid_contender, 6, 1, true, true}, {&octree_contender, 5, 101, true, true},
+        {&kdtree_contender, 5, 99, true, false}, {&bsp_contender, 0, 0, false, true}};
+    enum { n = sizeof list / sizeof *list };
+    line_up now = {.n = n};
+    comparison s = {.entries = n, .rays = {{NULL, 1}}};
+    for (int k = 0; k < n; k++)
+        s.entry[k] = (compare_entry){.c = list[k].c, .fits = list[k].fits, .build = list[k].build,
+                                     .rays = {1}, .seconds = {list[k].ray}};
+    growth_leave(&s, &now);
+    for (int k = 0; k < n; k++)
+        check(now.of[k].out == list[k].out, "%s: in or out", list[k].c->name);
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
@@ -844,7 +889,7 @@ static void test_front(void)
     comparison s = {.entries = 3};
     const double build[3] = {1, 2, 3}, seconds[3] = {3, 4, 1};
     for (int k = 0; k < 3; k++) {
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .s = &s, .build = build[k],
+        s.entry[k] = (compare_entry){.c = &bvh_contender, .fits = true, .build = build[k],
                                      .rays = {1}, .seconds = {seconds[k]}};
     }
     s.rays[0].n = 1;
@@ -970,7 +1015,9 @@ int main(void)
     test_wrong_answers();
     test_costs();
     test_cheapest();
+    test_kept();
     test_growth();
+    test_growth_leaves();
     test_orders();
     test_example();
     test_knobs();

@@ -1,6 +1,6 @@
 /* regimes.h: where the verdict might change: the order of rays and all cores (ray_order.h), motion.
  *
- *   regimes_run(&o, &chosen, most_bytes, report)      tables and a plot; false: a wrong hit
+ *   regimes_run(&c)          tables and a plot; false: a wrong hit
  *
  * Motion (motion.h): a teapot is twisted in 60 frames, and there are four ways to keep its BVH:
  * built anew by the heuristic or by Morton codes, refitted, refitted with rotations
@@ -68,8 +68,7 @@ static inline double last_ten(const double x[motion_frames])
     return clock_median(last, 10);
 }
 
-static inline void motion_table(const options *o, const kept_tree x[keepings], const char *title,
-                                html_report *to)
+static inline void motion_table(const kept_tree x[keepings], const char *title, html_report *to)
 {
     table t = table_new(title, "boxes|nodes/ray|tests/ray|a frame [ms]|a ray [ns]|"
                                "time: best from [rays]");
@@ -88,11 +87,11 @@ static inline void motion_table(const options *o, const kept_tree x[keepings], c
         if (from < to_here) table_number(&t, ceil(from));
         else table_text(&t, "never");
     }
-    html_table(to, o, &t);
+    html_table(to, &t);
 }
 
 /* Time by rays a frame. */
-static inline void motion_plot(const options *o, const kept_tree x[keepings], html_report *to)
+static inline void motion_plot(const kept_tree x[keepings], html_report *to)
 {
     plot time = plot_new("A frame and its rays: twist", "rays a frame", "time a frame [ms]",
                          PLOT_LOG_X | PLOT_LOG_Y);
@@ -103,7 +102,7 @@ static inline void motion_plot(const options *o, const kept_tree x[keepings], ht
             plot_add(&time, s, n, (last_ten(x[k].frame) + n * last_ten(x[k].ray)) * 1e3);
         }
     }
-    html_plot(to, o, &time, "17_compare_twist_time.svg");
+    html_plot(to, &time, "17_compare_twist_time.svg");
 }
 
 /* Rays from all around, anew each frame, of the kind that meets all of the mesh. */
@@ -134,20 +133,20 @@ static inline bool motion_run(const options *o, html_report *to)
     }
     snprintf(title, sizeof title, "Moving, twist: %zu triangles, the last of %d frames",
              rest.triangles, (int)motion_frames);
-    motion_table(o, x, title, to);
-    motion_plot(o, x, to);
+    motion_table(x, title, to);
+    motion_plot(x, to);
     for (int k = 0; k < keepings; k++) wrong += x[k].wrong, bvh_mesh_free(&x[k].b);
-    printf("# %d frames, %zu rays each: %zu wrong hits\n\n", (int)motion_frames, x[0].rays, wrong);
+    html_note(to, "%d frames, %zu rays each: %zu wrong hits", (int)motion_frames, x[0].rays, wrong);
+    printf("\n");
     free(x), mesh_free(&rest), world_free(&w);
     return wrong == 0;
 }
 
-static inline bool regimes_run(const options *o, const line_up *chosen, size_t most_bytes,
-                               html_report *to)
+static inline bool regimes_run(const compare_settings *c)
 {
-    html_heading(to, "Regimes");
-    order_run(o, chosen, most_bytes, to);
-    return motion_run(o, to);
+    html_heading(c->to, "Regimes");
+    order_run(c);
+    return motion_run(c->o, c->to);
 }
 
 #endif

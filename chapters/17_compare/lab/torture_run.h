@@ -117,6 +117,7 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
 
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
+    failure f;
     size_t faults = 0;
     torture_score score[compare_most] = {{0, 0}};
     table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
@@ -126,13 +127,15 @@ static inline void torture_run(const compare_settings *c, const char *folder, co
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
     for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
     compare_progress("torture", NULL, NULL);
-    if (folder) output_table(c->o, &out);
-    else output_extra_table(c->o, &out);
+    bool saved = !folder || output_csv(c->o, &out, &f);
+    html_heading(c->to, "Torture");
+    html_table(c->to, &out);
+    if (!saved) fail(f);
     for (int j = 0; j < (who ? 1 : c->chosen.n); j++) {
         const compare_choice *p = &c->chosen.of[j];
         if (who || score[j].wrong)
-            printf("# %s: %zu wrong; its t are off by up to %.3g roundings of a float\n",
-                   who ? who : p->label, score[j].wrong, score[j].error);
+            html_note(c->to, "%s: %zu wrong; its t are off by up to %.3g roundings of a float",
+                      who ? who : p->label, score[j].wrong, score[j].error);
         faults += who || !contender_is_first(p->c) ? score[j].wrong : 0;
     }
     printf("\n");
