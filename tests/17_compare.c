@@ -714,6 +714,28 @@ static void test_growth_leaves(void)
 
 /* From outside. -------------------------------------------------------------------------------- */
 
+/* What the program is asked, @ being the directory; how it ends; and in pairs a file, and a text
+ * that is in it then, or behind a ! that is not. */
+typedef struct { int status; const char *arguments, *said[10]; } dialogue;
+
+static void test_dialogue(const dialogue *list, size_t n)
+{
+    for (const dialogue *d = list; d < list + n; d++) {
+        char arguments[900] = "";
+        for (const char *at = d->arguments; *at; at++) {
+            size_t end = strlen(arguments);
+            snprintf(arguments + end, sizeof arguments - end, *at == '@' ? "%s" : "%.1s",
+                     *at == '@' ? directory : at);
+        }
+        check_equal(run("17_compare", arguments), d->status, "17_compare %s", arguments);
+        for (int k = 0; k < 10 && d->said[k]; k += 2) {
+            bool not = d->said[k + 1][0] == '!';
+            check(printed(d->said[k], d->said[k + 1] + not) != not, "%s: in %s: %s", arguments,
+                  d->said[k], d->said[k + 1]);
+        }
+    }
+}
+
 static void test_misuse(void)
 {
     static const struct { const char *arguments, *says; } wrong[] = {
@@ -733,15 +755,12 @@ static void test_misuse(void)
         {"--sweep bvh", "bvh:leaf=1..32"}, {"--sweep bvh:leaf=9..8", "FROM..TO"},
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
         {"--costs x", "--rays"}, {"--score x", "--torture"},
-        {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"}};
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        check_equal(run("17_compare", wrong[i].arguments), 2, "%s", wrong[i].arguments);
-        check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
-              wrong[i].says);
-    }
-    check_equal(run("17_compare", "--rays /nowhere/x.rays"), 1, "no such rays");
-    check_equal(run("17_compare", "/nowhere/x.nff"), 2, "no such file");
-    check_equal(run("17_compare", "--mesh /nowhere/x.obj"), 1, "no such mesh");
+        {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
+        {"/nowhere/x.nff", "x.nff"}, {"@/b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        test_dialogue(&(dialogue){2, wrong[i].arguments, {"err", wrong[i].says}}, 1);
+    test_dialogue(&(dialogue){1, "--rays /nowhere/x.rays", {"err", "x.rays"}}, 1);
+    test_dialogue(&(dialogue){1, "--mesh /nowhere/x.obj", {"err", "x.obj"}}, 1);
 }
 
 static void put_float(FILE *out, real x)
@@ -807,41 +826,49 @@ static void test_files(void)
         free(csv);
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
-    static const char *const nowhere[] = {"/dev/full", "/nowhere/x.hits"};
-    for (int k = 0; k < 2; k++) {
-        char arguments[300];
-        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --only bvh "
-                 "--hits %s", directory, nowhere[k]);
-        check_equal(run("17_compare", arguments), 1, "cannot be written: %s", nowhere[k]);
-    }
+    static const dialogue broken[] = {
+        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /dev/full", {0}},
+        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /nowhere/x.hits", {0}},
+        {2, "--rays @/g.rays", {"err", "30 bytes"}}};
+    test_dialogue(broken, 2);
     if (truncate(in_directory("g.rays"), 30) != 0) abort();
-    char short_rays[300];
-    snprintf(short_rays, sizeof short_rays, "--rays %s/g.rays", directory);
-    check_equal(run("17_compare", short_rays), 2, "30 bytes are no ray");
-    check(printed("err", "30 bytes"), "and says so");
+    test_dialogue(broken + 2, 1);
     free(r);
     world_free(&w);
 }
 
+/* Scenes of the book and of one's own, OBJ and NFF; a report; what each ray cost. */
 static void test_program(void)
 {
-    char arguments[300];
-    snprintf(arguments, sizeof arguments, "--quick --scene tetra --csv %s/t.csv", directory);
-    check_equal(run("17_compare", arguments), 0, "a scene alone");
-    check(printed("out", "tetra: 64 shapes"), "its table");
-    check(printed("t.csv", "tetra,brute,primary,") && printed("t.csv", "tetra,bvh,mirror,"),
-          "a row for each structure and kind of rays");
-    check_equal(run("17_compare", "--verify --scene tree --scale 3 --only bvh,grid"), 0, "verify");
-    check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
-          "says what it compared");
-    check(printed("out", "tree grid: 4096 primary") && !printed("out", "octree"), "two of --only");
-    check_equal(run("17_compare", "--protocol spd --scene tetra --only bvh"), 0, "the protocol");
-    check(printed("out", "primary tetra 6 bvh: "), "a line");
-    check(printed("out", "hits 49950\n"), "that ends with the number of hits");
-    check_equal(run("17_compare", "--scene soup --scale 4 --memory 1 --quick"), 0,
-                "not enough memory for some");
-    check(printed("out", "# kdtree does not fit: ") && printed("out", "\nbrute "),
-          "they say so, and the others go on");
+    static const dialogue list[] = {
+        {0, "--quick --scene tetra --csv @/t.csv",
+         {"out", "tetra: 64 shapes", "t.csv", "tetra,brute,primary,",
+          "t.csv", "tetra,bvh,mirror,"}},
+        {0, "--verify --scene tree --scale 3 --only bvh,grid",
+         {"out", "tree bvh: 4096 primary", "out", "as brute force",
+          "out", "tree grid: 4096 primary", "out", "!octree"}},
+        {0, "--protocol spd --scene tetra --only bvh",
+         {"out", "primary tetra 6 bvh: ", "out", "hits 49950\n"}},
+        {0, "--scene soup --scale 4 --memory 1 --quick --report @/m.html",
+         {"out", "# kdtree does not fit: ", "out", "\nbrute ", "m.html", ">kdtree does not fit: ",
+          "m.html", ">cheapest in all: "}},
+        {0, "@/a.nff @/b.obj --up z --quick --only grid,bvh,example --report @/r.html",
+         {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
+          "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
+        {0, "@/b.obj --quick --only first-mesh,bvh --report @/r.html",
+         {"r.html", "first-mesh: wrong at", "r.html", "</html>"}},
+        {0, "--scene stadium --scale 4 --rays @/s.rays --costs @/s.csv --only bvh,grid",
+         {"s.csv", "ray,t,shape,bvh nodes,bvh tests,grid nodes,grid tests\n0,",
+          "s.csv", "\n99,"}},
+        {0, "--quick --sweep bvh:cost=0.1..1.6", {"out", "bvh:cost=0.8"}},
+        {0, "--quick --sweep bvh:leaf=1..4", {"out", "bvh:leaf=3", "out", "yes"}},
+        {0, "--quick --regimes --only bvh,wide",
+         {"out", "Order and cores", "out", "60 frames, 100 rays each: 0 wrong"}},
+        {0, "--quick --orders", {"out", "Two orders, one picture"}}};
+    world teapot = tiny("stadium");
+    write_rays(in_directory("s.rays"), &teapot, 100);
+    world_free(&teapot);
+    test_dialogue(list, sizeof list / sizeof *list);
 }
 
 /* A structure of one's own must stand all that the others stand. */
@@ -898,69 +925,44 @@ static void test_front(void)
     check(!sweep_on_front(&s, &s.entry[1]), "slower than the first at both");
 }
 
-/* Files of one's own: OBJ and NFF, several; a report; what each ray cost. */
-static void test_own(void)
+static void put_text(const char *name, const char *text)
 {
-    static const char *const nff =
-        "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1 resolution 9 9\nl 5 -9 9\n"
-        "f 1 0 0 1 0 0 0 0\ns 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
-        "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\npp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n";
-    char arguments[900];
-    FILE *out = fopen(in_directory("a.nff"), "w");
-    if (!out || fputs(nff, out) < 0 || fclose(out) != 0) abort();
-    out = fopen(in_directory("b.obj"), "w");
-    if (!out || fputs("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", out) < 0 || fclose(out)) abort();
-    snprintf(arguments, sizeof arguments, "%s/a.nff %s/b.obj --up z --quick "
-             "--only grid,bvh,example --report %s/r.html", directory, directory, directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("out", "a.nff: 4 shapes") && printed("out", "b.obj: 1 shapes")
-              && printed("out", "structure  a.nff  b.obj"), "both scenes, in one table");
-    check(printed("r.html", "Who wins") && printed("r.html", "data:image/png;base64,iVBOR")
-              && printed("r.html", "example") && printed("r.html", "</html>"), "the report");
-    snprintf(arguments, sizeof arguments, "%s/b.obj --at 0,nan,1", directory);
-    check_equal(run("17_compare", arguments), 2, "17_compare %s", arguments);
-    check(printed("err", "allowed are X,Y,Z"), "which form a point has");
-    world teapot = tiny("stadium");
-    write_rays(in_directory("s.rays"), &teapot, 100);
-    world_free(&teapot);
-    snprintf(arguments, sizeof arguments, "--scene stadium --scale 4 --rays %s/s.rays --costs "
-             "%s/s.csv --only bvh,grid", directory, directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("s.csv", "ray,t,shape,bvh nodes,bvh tests,grid nodes,grid tests\n0,")
-              && printed("s.csv", "\n99,"), "a line for each ray");
-    check_equal(run("17_compare", "--quick --sweep bvh:cost=0.1..1.6"), 0, "a sweep of costs");
-    check(printed("out", "bvh:cost=0.8"), "a number that is not whole");
-    check_equal(run("17_compare", "--quick --regimes --only bvh,wide"), 0, "regimes");
-    check(printed("out", "Order and cores") && printed("out", "60 frames, 100 rays each: 0 wrong"),
-          "order, cores, motion");
-    check_equal(run("17_compare", "--quick --orders"), 0, "two orders");
-    check(printed("out", "Two orders, one picture"), "a table");
-    check_equal(run("17_compare", "--quick --sweep bvh:leaf=1..4"), 0, "a sweep");
-    check(printed("out", "bvh:leaf=3") && printed("out", "yes"), "somebody is on the front");
+    FILE *out = fopen(in_directory(name), "w");
+    if (!out || fputs(text, out) < 0 || fclose(out) != 0) abort();
+}
+
+static void put_scenes(void)
+{
+    put_text("a.nff", "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1\n"
+             " resolution 9 9\nl 5 -9 9\nf 1 0 0 1 0 0 0 0\n"
+             "s 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
+             "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\n"
+             "pp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n");
+    put_text("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+}
+
+static void shell(const char *form)
+{
+    char command[600];
+    snprintf(command, sizeof command, "cd %s/t && %s", directory, form);
+    check_equal(system(command), 0, "%s", command);
 }
 
 /* Files of --torture, given back as another renderer's: all that are right, then some shifted. */
 static void test_torture(void)
 {
-    char arguments[600], command[600];
-    snprintf(arguments, sizeof arguments, "--quick --only bvh,first-mesh --torture %s/t",
-             directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("out", "Wrong answers of 60 a class"), "a table");
-    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x", directory);
-    check_equal(run("17_compare", arguments), 1, "no such hits");
-    check(printed("err", "inside.x.hits"), "says which file");
-    snprintf(command, sizeof command,
-             "cd %s/t && for f in *.hits; do cp $f ${f%%.hits}.x.hits; done", directory);
-    check_equal(system(command), 0, "hits of another renderer");
-    check_equal(run("17_compare", arguments), 0, "all of them right");
-    snprintf(command, sizeof command, "cd %s/t && { tail -c +9 edges.hits; head -c 8 edges.hits; } "
-             ">edges.x.hits", directory);
-    check_equal(system(command), 0, "hits, each of the next ray");
-    check_equal(run("17_compare", arguments), 1, "wrong ones");
-    check(printed("err", "answers are wrong"), "says how many");
-    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x --seed 5", directory);
-    check_equal(run("17_compare", arguments), 2, "rays of another seed");
+    static const dialogue list[] = {
+        {0, "--quick --only bvh,first-mesh --torture @/t --csv @/t.csv",
+         {"out", "Wrong answers of 60 a class", "t.csv", "class,aims at,"}},
+        {1, "--quick --torture @/t --score x", {"err", "inside.x.hits"}},
+        {0, "--quick --torture @/t --score x", {0}},
+        {1, "--quick --torture @/t --score x", {"err", "answers are wrong"}},
+        {2, "--quick --torture @/t --score x --seed 5", {"err", "not the rays of this seed"}}};
+    test_dialogue(list, 2);
+    shell("for f in *.hits; do cp $f ${f%.hits}.x.hits; done");
+    test_dialogue(list + 2, 1);
+    shell("{ tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits");  /* of the next ray */
+    test_dialogue(list + 3, 2);
 }
 
 /* A picture drawn and one by rays: that by rays is brute force's, and the drawn one differs at
@@ -1023,10 +1025,10 @@ int main(void)
     test_knobs();
     test_front();
     if (run("17_compare", "--help") == 0) {
+        put_scenes();
         test_misuse();
         test_files();
         test_program();
-        test_own();
         test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
     char command[64];

@@ -18,9 +18,9 @@ typedef struct { const char *rays, *hits, *costs; bool any; } compare_files;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void end_if_wrong(bool ok)
+static inline void end_if_wrong(bool ok, const char *where)
 {
-    if (!ok) die(1, "a structure differs from brute force: see above");
+    if (!ok) die(1, "%.80s: a structure differs from brute force: see above", where);
 }
 
 static inline void protocol_scene(const compare_settings *c, const generator *g, int scale)
@@ -76,7 +76,7 @@ static inline void verify_world(const compare_settings *c, const world *w)
         ok = prove_rays(&s, &s.rays[k], true, false, stdout);
     }
     compare_progress(w->name, NULL, NULL);
-    end_if_wrong(ok);
+    end_if_wrong(ok, w->name);
     for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
         const char *label = e->choice->label;
         if (!e->s) printf("%s %s: does not fit: %s\n", w->name, label, e->why.text);
@@ -132,7 +132,7 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
     end_if_wrong(prove_rays(&s, &some, true, false, stdout)
-                 && prove_rays(&s, &all, false, false, stdout));
+                 && prove_rays(&s, &all, false, false, stdout), w->name);
     s.rays[kind] = all;
     cost_kind(&s, kind, 7, cost_full);
     table t = table_new("Rays from a file, one thread", cost_columns);

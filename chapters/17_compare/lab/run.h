@@ -30,7 +30,7 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
     compare_begin(s, w, &c->chosen, c->most_bytes, all && !quick ? 3 : 1);
     compare_rays(s, quick ? 144 : compare_usual_rays, c->o->seed);
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
-                               quick ? 200 : all ? 2400 : 400, c->o->seed, stdout));
+                               quick ? 200 : all ? 2400 : 400, c->o->seed, stdout), w->name);
     if (all) cost_measure(s, turns);
     else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 2);
 }
@@ -124,9 +124,9 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     chart_show(m, c->to);
     if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);
-    end_if_wrong(growth_run(c));
+    end_if_wrong(growth_run(c), "growth");
     output_chart(c->o, m, "17_compare_time.svg");
-    end_if_wrong(regimes_run(c));
+    end_if_wrong(regimes_run(c), "motion");
     orders_run(c);
 }
 
@@ -137,8 +137,14 @@ static inline void compare_run(const compare_settings *c, const compare_options 
     world w;
     failure f;
     measured_scenes m = {.chosen = &c->chosen};
-    if (own->regimes) end_if_wrong(regimes_run(c));
+    if (own->regimes) end_if_wrong(regimes_run(c), "motion");
     if (book && tables) draw_pictures(c);
+    if (tables && (c->o->full || !book))
+        html_element(c->to, "p", "B/shape: bytes a shape. inner: inner nodes; leaves: leaves or "
+                     "cells; empty: those with nothing in them. refs/shape: how often a shape is "
+                     "listed. nodes/ray, tests/ray: steps, and shapes tested. Times are of one ray: "
+                     "from the eye (primary), from there to a light (shadow), anywhere (diffuse), "
+                     "mirrored (mirror). wrong: a first version that loses hits.");
     for (int k = 0; k < scenes + most_meshes && !only_picture && !own->regimes; k++) {
         if (!world_wanted(c, own, k, &w)) continue;
         compare_scene(c, own, &w, &m);
