@@ -61,8 +61,8 @@ typedef struct {
                                   /* of rays aimed at borders, or begun there; of all others */
 } compare_entry;
 
-/* All that was measured on a scene. compare_end leaves the numbers: tables, chart and plots are made
- * of these. Entry k is choice k of the line-up. */
+/* All that was measured on a scene. compare_end leaves the numbers: tables, chart and plots are
+ * made of them. Entry k is choice k of the line-up. */
 typedef struct {
     char name[80];
     const world *w;

@@ -1,4 +1,4 @@
-/* html.h: where results go: to the screen, and into a report, one HTML file that needs nothing else.
+/* html.h: where results go: to the screen, and into a report: one HTML file that needs no other.
  *
  *   html_report *r = html_begin(&o, "report.html", "Title");   path NULL: the screen alone
  *   html_heading(r, "Verdict"), html_element(r, "p", "text")   in the report alone

@@ -142,9 +142,9 @@ static inline void compare_run(const compare_settings *c, const compare_options 
     if (tables && (c->o->full || !book))
         html_element(c->to, "p", "B/shape: bytes a shape. inner: inner nodes; leaves: leaves or "
                      "cells; empty: those with nothing in them. refs/shape: how often a shape is "
-                     "listed. nodes/ray, tests/ray: steps, and shapes tested. Times are of one ray: "
-                     "from the eye (primary), from there to a light (shadow), anywhere (diffuse), "
-                     "mirrored (mirror). wrong: a first version that loses hits.");
+                     "listed. nodes/ray, tests/ray: steps, and shapes tested. Times are of one "
+                     "ray: from the eye (primary), from a hit to a light (shadow), anywhere "
+                     "(diffuse), mirrored (mirror). wrong: a first version that loses hits.");
     for (int k = 0; k < scenes + most_meshes && !only_picture && !own->regimes; k++) {
         if (!world_wanted(c, own, k, &w)) continue;
         compare_scene(c, own, &w, &m);
