@@ -148,25 +148,21 @@ static inline void html_base64(FILE *out, const unsigned char *b, size_t n)
 static inline void html_picture(const html_report *r, const image *im, const char *caption)
 {
     if (!html_file(r)) return;
-    size_t bad;
-    FILE *scratch = tmpfile();
-    if (!scratch) die(1, "%s: no room for a picture", r->path);
+    size_t bad, n;
+    char *png;
+    FILE *out = open_memstream(&png, &n);
     uint8_t *rgb = image_bytes(im, &bad);
-    png_write(scratch, rgb, im->width, im->height);
+    if (out) png_write(out, rgb, im->width, im->height);
+    if (!out || fclose(out) != 0) die(1, "%s: no room for a picture", r->path);
     free(rgb);
-    size_t n = (size_t)ftell(scratch);
-    unsigned char *bytes = allocate(n, 1);
-    rewind(scratch);
-    n = fread(bytes, 1, n, scratch);
-    fclose(scratch);
     fprintf(html_file(r), "<figure><img alt=\"");
     html_escaped(html_file(r), caption);
     fprintf(html_file(r), "\" src=\"data:image/png;base64,");
-    html_base64(html_file(r), bytes, n);
+    html_base64(html_file(r), (const unsigned char *)png, n);
     fprintf(html_file(r), "\">");
     html_element(r, "figcaption", caption);
     fprintf(html_file(r), "</figure>\n");
-    free(bytes);
+    free(png);
 }
 
 static inline void html_end(html_report *r)
