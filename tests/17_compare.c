@@ -607,8 +607,8 @@ static void test_costs(void)
     comparison s = {.entries = 2};
     for (int k = 0; k < compare_kinds; k++) s.rays[k].n = k < 2 ? 100 : 0;
     compare_entry *a = &s.entry[0], *b = &s.entry[1];
-    *a = (compare_entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
-    *b = (compare_entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
+    *a = (compare_entry){.c = &brute_contender, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
+    *b = (compare_entry){.c = &bvh_contender, .rays = {100, 100}, .build = 0.5,
                  .seconds = {1e-5, 3e-5}};
     check_close(cost_ns(a, KIND_SHADOW), 3000, 1e-11, "6e-5 s for 20 rays");
     check_close(cost_mean(&s, a), 2e-6, 1e-20, "1000 and 3000 ns, as many of each");
@@ -623,8 +623,8 @@ static void test_cheapest(void)
     static const double build[4] = {0, 10, 9.8, 50}, seconds[4] = {100, 50, 47, 20};
     comparison s = {.entries = 4};
     for (int k = 0; k < 4; k++)
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .s = &s, .build = build[k],
-                                     .rays = {1}, .seconds = {seconds[k]}};
+        s.entry[k] = (compare_entry){.c = &bvh_contender, .build = build[k],
+                                     .rays = {1}, .seconds = {seconds[k]}, .fits = true};
     s.rays[0].n = 1;
     double from = 0;
     const compare_entry *e = cost_next(&s, &s.entry[0], &from);
@@ -639,35 +639,102 @@ static void test_cheapest(void)
 
 static void test_winners(void)
 {
+    static const double seconds[3] = {3e-6, 1e-6, 2e-6}, build[3] = {0, 5, 0.5};
     line_up three = {.n = 0};
     choose(&three, &brute_contender), choose(&three, &grid_contender);
     choose(&three, &nested_contender);
-    compare_summary m = {.chosen = &three};
-    summary_row r = {"x", 1, {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}, {0}, {0}, {0}};
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
-    check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
-    r.ray[2] = 0.98e-6;
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "two percent are noise");
-    r.ray[1] = -1;
-    check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
+    comparison s = {.entries = 3, .rays = {{NULL, 1}}};
+    for (int k = 0; k < 3; k++)
+        s.entry[k] = (compare_entry){.choice = &three.of[k], .c = three.of[k].c, .fits = true,
+                                     .build = build[k], .rays = {1}, .seconds = {seconds[k]}};
+    check(strcmp(summary_fastest(&s, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
+    check(strcmp(summary_fastest(&s, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
+    s.entry[2].seconds[0] = 0.98e-6;
+    check(strcmp(summary_fastest(&s, 1, 0), "grid") == 0, "two percent are noise");
+    s.entry[1].fits = false;
+    check(strcmp(summary_fastest(&s, 1, 0), "nested") == 0, "what does not fit does not win");
+}
+
+/* Numbers outlive the structures: tables are made of them when all scenes are done. */
+static void test_kept(void)
+{
+    world w = tiny("tetra");
+    comparison s;
+    line_up one = {.n = 0};
+    choose(&one, &bvh_contender);
+    measured_scenes m = {.chosen = &one};
+    compare_begin(&s, &w, &one, (size_t)1 << 30, 1);
+    compare_rays(&s, 64, 7);
+    cost_measure(&s, 1);
+    double seconds = cost_mean(&s, &s.entry[0]);
+    const comparison *kept = measured_add(&m, &s);
+    world_free(&w);
+    check(seconds > 0 && cost_mean(kept, &kept->entry[0]) == seconds, "%g s a ray", seconds);
+    check(!kept->entry[0].s && kept->entry[0].fits, "the tree is gone, and did fit");
+    check(strcmp(kept->name, "tetra") == 0 && kept->x.n == 64, "of %s, %zu", kept->name, kept->x.n);
+    measured_free(&m);
 }
 
 static void test_growth(void)
 {
     double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
-    growth_result g = {.m = {.rows = 5}};
+    comparison *of = allocate(5, sizeof *of);
+    measured_scenes m = {.of = of, .n = 5};
     for (int i = 0; i < 5; i++) {
-        summary_row *r = &g.m.row[i];
-        r->shapes = (size_t)1 << 2 * i, r->ray[0] = exp2(i), r->ray[1] = i < 3 ? 1 : -1;
-        g.steps[i][0] = 6 * i;
+        of[i] = (comparison){.entries = 2, .x = {.n = (size_t)1 << 2 * i}, .rays = {{NULL, 1}}};
+        of[i].entry[0] = (compare_entry){.fits = true, .rays = {1}, .counted = {1},
+            .seconds = {exp2(i)}, .work = {{.nodes = 4 * (size_t)i, .tests = 2 * (size_t)i}}};
+        of[i].entry[1] = (compare_entry){.fits = i < 3, .rays = {1}, .seconds = {1}};
     }
-    check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
+    check_equal((size_t)growth_points(&m, 0, x, y, steps), 5, "five sizes");
     check_close(bench_slope(x, y, 5), 0.5, 1e-15, "time ~ n^0.5");
     check_close(bench_slope(x, steps, 5), 3, 1e-15, "three more steps a doubling");
-    check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
+    check_equal((size_t)growth_points(&m, 1, x, y, steps), 3, "left out of the others");
+    measured_free(&m);
+}
+
+/* Who is out of the next size: slow to build, slow to search, or not built; brute force may be
+ * slow, and who is the quickest to build stays. */
+static void test_growth_leaves(void)
+{
+    static const struct { const contender *c; double build, ray; bool fits, out; } list[] = {
+        {&brute_contender, 0, 500, true, false}, {&bvh_contender, 5, 1, true, false},
+        {&grid_contender, 6, 1, true, true}, {&octree_contender, 5, 101, true, true},
+        {&kdtree_contender, 5, 99, true, false}, {&bsp_contender, 0, 0, false, true}};
+    enum { n = sizeof list / sizeof *list };
+    line_up now = {.n = n};
+    comparison s = {.entries = n, .rays = {{NULL, 1}}};
+    for (int k = 0; k < n; k++)
+        s.entry[k] = (compare_entry){.c = list[k].c, .fits = list[k].fits, .build = list[k].build,
+                                     .rays = {1}, .seconds = {list[k].ray}};
+    growth_leave(&s, &now);
+    for (int k = 0; k < n; k++)
+        check(now.of[k].out == list[k].out, "%s: in or out", list[k].c->name);
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
+
+/* What the program is asked, @ being the directory; how it ends; and in pairs a file, and a text
+ * that is in it then, or behind a ! that is not. */
+typedef struct { int status; const char *arguments, *said[10]; } dialogue;
+
+static void test_dialogue(const dialogue *list, size_t n)
+{
+    for (const dialogue *d = list; d < list + n; d++) {
+        char arguments[900] = "";
+        for (const char *at = d->arguments; *at; at++) {
+            size_t end = strlen(arguments);
+            snprintf(arguments + end, sizeof arguments - end, *at == '@' ? "%s" : "%.1s",
+                     *at == '@' ? directory : at);
+        }
+        check_equal(run("17_compare", arguments), d->status, "17_compare %s", arguments);
+        for (int k = 0; k < 10 && d->said[k]; k += 2) {
+            bool not = d->said[k + 1][0] == '!';
+            check(printed(d->said[k], d->said[k + 1] + not) != not, "%s: in %s: %s", arguments,
+                  d->said[k], d->said[k + 1]);
+        }
+    }
+}
 
 static void test_misuse(void)
 {
@@ -688,15 +755,12 @@ static void test_misuse(void)
         {"--sweep bvh", "bvh:leaf=1..32"}, {"--sweep bvh:leaf=9..8", "FROM..TO"},
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
         {"--costs x", "--rays"}, {"--score x", "--torture"},
-        {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"}};
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        check_equal(run("17_compare", wrong[i].arguments), 2, "%s", wrong[i].arguments);
-        check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
-              wrong[i].says);
-    }
-    check_equal(run("17_compare", "--rays /nowhere/x.rays"), 1, "no such rays");
-    check_equal(run("17_compare", "/nowhere/x.nff"), 2, "no such file");
-    check_equal(run("17_compare", "--mesh /nowhere/x.obj"), 1, "no such mesh");
+        {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
+        {"/nowhere/x.nff", "x.nff"}, {"@/b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        test_dialogue(&(dialogue){2, wrong[i].arguments, {"err", wrong[i].says}}, 1);
+    test_dialogue(&(dialogue){1, "--rays /nowhere/x.rays", {"err", "x.rays"}}, 1);
+    test_dialogue(&(dialogue){1, "--mesh /nowhere/x.obj", {"err", "x.obj"}}, 1);
 }
 
 static void put_float(FILE *out, real x)
@@ -762,41 +826,49 @@ static void test_files(void)
         free(csv);
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
-    static const char *const nowhere[] = {"/dev/full", "/nowhere/x.hits"};
-    for (int k = 0; k < 2; k++) {
-        char arguments[300];
-        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --only bvh "
-                 "--hits %s", directory, nowhere[k]);
-        check_equal(run("17_compare", arguments), 1, "cannot be written: %s", nowhere[k]);
-    }
+    static const dialogue broken[] = {
+        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /dev/full", {0}},
+        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /nowhere/x.hits", {0}},
+        {2, "--rays @/g.rays", {"err", "30 bytes"}}};
+    test_dialogue(broken, 2);
     if (truncate(in_directory("g.rays"), 30) != 0) abort();
-    char short_rays[300];
-    snprintf(short_rays, sizeof short_rays, "--rays %s/g.rays", directory);
-    check_equal(run("17_compare", short_rays), 2, "30 bytes are no ray");
-    check(printed("err", "30 bytes"), "and says so");
+    test_dialogue(broken + 2, 1);
     free(r);
     world_free(&w);
 }
 
+/* Scenes of the book and of one's own, OBJ and NFF; a report; what each ray cost. */
 static void test_program(void)
 {
-    char arguments[300];
-    snprintf(arguments, sizeof arguments, "--quick --scene tetra --csv %s/t.csv", directory);
-    check_equal(run("17_compare", arguments), 0, "a scene alone");
-    check(printed("out", "tetra: 64 shapes"), "its table");
-    check(printed("t.csv", "tetra,brute,primary,") && printed("t.csv", "tetra,bvh,mirror,"),
-          "a row for each structure and kind of rays");
-    check_equal(run("17_compare", "--verify --scene tree --scale 3 --only bvh,grid"), 0, "verify");
-    check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
-          "says what it compared");
-    check(printed("out", "tree grid: 4096 primary") && !printed("out", "octree"), "two of --only");
-    check_equal(run("17_compare", "--protocol spd --scene tetra --only bvh"), 0, "the protocol");
-    check(printed("out", "primary tetra 6 bvh: "), "a line");
-    check(printed("out", "hits 49950\n"), "that ends with the number of hits");
-    check_equal(run("17_compare", "--scene soup --scale 4 --memory 1 --quick"), 0,
-                "not enough memory for some");
-    check(printed("out", "# kdtree does not fit: ") && printed("out", "\nbrute "),
-          "they say so, and the others go on");
+    static const dialogue list[] = {
+        {0, "--quick --scene tetra --csv @/t.csv",
+         {"out", "tetra: 64 shapes", "t.csv", "tetra,brute,primary,",
+          "t.csv", "tetra,bvh,mirror,"}},
+        {0, "--verify --scene tree --scale 3 --only bvh,grid",
+         {"out", "tree bvh: 4096 primary", "out", "as brute force",
+          "out", "tree grid: 4096 primary", "out", "!octree"}},
+        {0, "--protocol spd --scene tetra --only bvh",
+         {"out", "primary tetra 6 bvh: ", "out", "hits 49950\n"}},
+        {0, "--scene soup --scale 4 --memory 1 --quick --report @/m.html",
+         {"out", "# kdtree does not fit: ", "out", "\nbrute ", "m.html", ">kdtree does not fit: ",
+          "m.html", ">cheapest in all: "}},
+        {0, "@/a.nff @/b.obj --up z --quick --only grid,bvh,example --report @/r.html",
+         {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
+          "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
+        {0, "@/b.obj --quick --only first-mesh,bvh --report @/r.html",
+         {"r.html", "first-mesh: wrong at", "r.html", "</html>"}},
+        {0, "--scene stadium --scale 4 --rays @/s.rays --costs @/s.csv --only bvh,grid",
+         {"s.csv", "ray,t,shape,bvh nodes,bvh tests,grid nodes,grid tests\n0,",
+          "s.csv", "\n99,"}},
+        {0, "--quick --sweep bvh:cost=0.1..1.6", {"out", "bvh:cost=0.8"}},
+        {0, "--quick --sweep bvh:leaf=1..4", {"out", "bvh:leaf=3", "out", "yes"}},
+        {0, "--quick --regimes --only bvh,wide",
+         {"out", "Order and cores", "out", "60 frames, 100 rays each: 0 wrong"}},
+        {0, "--quick --orders", {"out", "Two orders, one picture"}}};
+    world teapot = tiny("stadium");
+    write_rays(in_directory("s.rays"), &teapot, 100);
+    world_free(&teapot);
+    test_dialogue(list, sizeof list / sizeof *list);
 }
 
 /* A structure of one's own must stand all that the others stand. */
@@ -844,7 +916,7 @@ static void test_front(void)
     comparison s = {.entries = 3};
     const double build[3] = {1, 2, 3}, seconds[3] = {3, 4, 1};
     for (int k = 0; k < 3; k++) {
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .s = &s, .build = build[k],
+        s.entry[k] = (compare_entry){.c = &bvh_contender, .fits = true, .build = build[k],
                                      .rays = {1}, .seconds = {seconds[k]}};
     }
     s.rays[0].n = 1;
@@ -853,69 +925,44 @@ static void test_front(void)
     check(!sweep_on_front(&s, &s.entry[1]), "slower than the first at both");
 }
 
-/* Files of one's own: OBJ and NFF, several; a report; what each ray cost. */
-static void test_own(void)
+static void put_text(const char *name, const char *text)
 {
-    static const char *const nff =
-        "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1 resolution 9 9\nl 5 -9 9\n"
-        "f 1 0 0 1 0 0 0 0\ns 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
-        "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\npp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n";
-    char arguments[900];
-    FILE *out = fopen(in_directory("a.nff"), "w");
-    if (!out || fputs(nff, out) < 0 || fclose(out) != 0) abort();
-    out = fopen(in_directory("b.obj"), "w");
-    if (!out || fputs("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", out) < 0 || fclose(out)) abort();
-    snprintf(arguments, sizeof arguments, "%s/a.nff %s/b.obj --up z --quick "
-             "--only grid,bvh,example --report %s/r.html", directory, directory, directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("out", "a.nff: 4 shapes") && printed("out", "b.obj: 1 shapes")
-              && printed("out", "structure  a.nff  b.obj"), "both scenes, in one table");
-    check(printed("r.html", "Who wins") && printed("r.html", "data:image/png;base64,iVBOR")
-              && printed("r.html", "example") && printed("r.html", "</html>"), "the report");
-    snprintf(arguments, sizeof arguments, "%s/b.obj --at 0,nan,1", directory);
-    check_equal(run("17_compare", arguments), 2, "17_compare %s", arguments);
-    check(printed("err", "allowed are X,Y,Z"), "which form a point has");
-    world teapot = tiny("stadium");
-    write_rays(in_directory("s.rays"), &teapot, 100);
-    world_free(&teapot);
-    snprintf(arguments, sizeof arguments, "--scene stadium --scale 4 --rays %s/s.rays --costs "
-             "%s/s.csv --only bvh,grid", directory, directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("s.csv", "ray,t,shape,bvh nodes,bvh tests,grid nodes,grid tests\n0,")
-              && printed("s.csv", "\n99,"), "a line for each ray");
-    check_equal(run("17_compare", "--quick --sweep bvh:cost=0.1..1.6"), 0, "a sweep of costs");
-    check(printed("out", "bvh:cost=0.8"), "a number that is not whole");
-    check_equal(run("17_compare", "--quick --regimes --only bvh,wide"), 0, "regimes");
-    check(printed("out", "Order and cores") && printed("out", "60 frames, 100 rays each: 0 wrong"),
-          "order, cores, motion");
-    check_equal(run("17_compare", "--quick --orders"), 0, "two orders");
-    check(printed("out", "Two orders, one picture"), "a table");
-    check_equal(run("17_compare", "--quick --sweep bvh:leaf=1..4"), 0, "a sweep");
-    check(printed("out", "bvh:leaf=3") && printed("out", "yes"), "somebody is on the front");
+    FILE *out = fopen(in_directory(name), "w");
+    if (!out || fputs(text, out) < 0 || fclose(out) != 0) abort();
+}
+
+static void put_scenes(void)
+{
+    put_text("a.nff", "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1\n"
+             " resolution 9 9\nl 5 -9 9\nf 1 0 0 1 0 0 0 0\n"
+             "s 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
+             "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\n"
+             "pp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n");
+    put_text("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+}
+
+static void shell(const char *form)
+{
+    char command[600];
+    snprintf(command, sizeof command, "cd %s/t && %s", directory, form);
+    check_equal(system(command), 0, "%s", command);
 }
 
 /* Files of --torture, given back as another renderer's: all that are right, then some shifted. */
 static void test_torture(void)
 {
-    char arguments[600], command[600];
-    snprintf(arguments, sizeof arguments, "--quick --only bvh,first-mesh --torture %s/t",
-             directory);
-    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
-    check(printed("out", "Wrong answers of 60 a class"), "a table");
-    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x", directory);
-    check_equal(run("17_compare", arguments), 1, "no such hits");
-    check(printed("err", "inside.x.hits"), "says which file");
-    snprintf(command, sizeof command,
-             "cd %s/t && for f in *.hits; do cp $f ${f%%.hits}.x.hits; done", directory);
-    check_equal(system(command), 0, "hits of another renderer");
-    check_equal(run("17_compare", arguments), 0, "all of them right");
-    snprintf(command, sizeof command, "cd %s/t && { tail -c +9 edges.hits; head -c 8 edges.hits; } "
-             ">edges.x.hits", directory);
-    check_equal(system(command), 0, "hits, each of the next ray");
-    check_equal(run("17_compare", arguments), 1, "wrong ones");
-    check(printed("err", "answers are wrong"), "says how many");
-    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x --seed 5", directory);
-    check_equal(run("17_compare", arguments), 2, "rays of another seed");
+    static const dialogue list[] = {
+        {0, "--quick --only bvh,first-mesh --torture @/t --csv @/t.csv",
+         {"out", "Wrong answers of 60 a class", "t.csv", "class,aims at,"}},
+        {1, "--quick --torture @/t --score x", {"err", "inside.x.hits"}},
+        {0, "--quick --torture @/t --score x", {0}},
+        {1, "--quick --torture @/t --score x", {"err", "answers are wrong"}},
+        {2, "--quick --torture @/t --score x --seed 5", {"err", "not the rays of this seed"}}};
+    test_dialogue(list, 2);
+    shell("for f in *.hits; do cp $f ${f%.hits}.x.hits; done");
+    test_dialogue(list + 2, 1);
+    shell("{ tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits");  /* of the next ray */
+    test_dialogue(list + 3, 2);
 }
 
 /* A picture drawn and one by rays: that by rays is brute force's, and the drawn one differs at
@@ -970,16 +1017,18 @@ int main(void)
     test_wrong_answers();
     test_costs();
     test_cheapest();
+    test_kept();
     test_growth();
+    test_growth_leaves();
     test_orders();
     test_example();
     test_knobs();
     test_front();
     if (run("17_compare", "--help") == 0) {
+        put_scenes();
         test_misuse();
         test_files();
         test_program();
-        test_own();
         test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
     char command[64];

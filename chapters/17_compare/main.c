@@ -48,13 +48,15 @@ int main(int argc, char **argv)
                              "Every structure on the same scenes and the same rays.",
                              (options){.width = 1000, .height = 332, .seed = 1}, list);
     compare_settings c = {&o, own.sweep ? swept_of(own.sweep) : chosen_of(own.only),
-                          (size_t)own.megabytes << 20};
+                          (size_t)own.megabytes << 20, NULL};
     const generator *g = own.scene ? scene_find(own.scene) : NULL;
     check_options(&o, &own);
     o.own = own.mesh[0] != NULL;
+    c.to = html_begin(&o, own.report, "17 compare: acceleration structures, side by side");
     if (own.torture) torture_run(&c, own.torture, own.score);
     else if (own.protocol) protocol_run(c, own.only, g, own.scale);
-    else if (own.orders) orders_run(&o);
+    else if (own.orders) orders_run(&c);
     else compare_run(&c, &own);
+    html_end(c.to);
     return output_done(&o);
 }

@@ -1,6 +1,7 @@
 /* mine.h: a structure to begin your own with: a list, each item behind a box. example.h is a tree.
  * Copy it, change it, and put it beside the others, in every table, plot, picture and proof:
  *     make mine-17 MINE=my.h
+ *     build/mine-17/17_compare --verify --only mine     that alone, all rays by brute force
  * It must be called mine, with mine_options, and needs no #include: items and query are those of
  * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. */
 #ifndef COMPARE_MINE_H

@@ -1,6 +1,7 @@
 /* chart.h: bars (柱状图), a panel a scene: what a ray costs, and what building costs, by structure.
  *
- *   chart_write(&m, out)                               of a summary: summary.h
+ *   chart_write(&m, out)                               of scenes: summary.h
+ *   chart_show(&m, to)                                 in the report
  *   output_chart(&o, &m, "17_compare_time.svg")
  *
  * Each kind of bar has its own scale in each panel, linear from 0 to the longest, or to four times
@@ -64,29 +65,30 @@ static inline double chart_scale(double *x, int n)
     return n ? fmin(x[n - 1], 4 * median) : 1;
 }
 
-static inline void chart_panel(FILE *out, const compare_summary *m, const summary_row *r, int x,
-                               int y)
+static inline void chart_panel(FILE *out, const comparison *s, int x, int y)
 {
     double value[2][compare_most];
     int n = 0;
-    for (int k = 0; k < m->chosen->n; k++)
-        if (contender_counts(m->chosen->of[k].c) && r->ray[k] > 0)
-            value[0][n] = r->ray[k], value[1][n++] = r->build[k] / (double)r->shapes;
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
+        if (entry_counts(e) && cost_mean(s, e) > 0)
+            value[0][n] = cost_mean(s, e), value[1][n++] = per(e->build, s->x.n);
     const double most[2] = {chart_scale(value[0], n), chart_scale(value[1], n)};
-    chart_text(out, x + 90, y + 14, 13, "start", r->name);
-    for (int k = 0; k < m->chosen->n; k++) {
-        const double of[3] = {r->ray[k], r->spread[k], r->build[k] / (double)r->shapes};
-        const char *name = m->chosen->of[k].label;
-        if (!contender_counts(m->chosen->of[k].c)) continue;
+    char title[32];
+    snprintf(title, sizeof title, "%.31s", s->name);
+    chart_text(out, x + 90, y + 14, 13, "start", title);
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        const double of[3] = {cost_mean(s, e), cost_spread(e), per(e->build, s->x.n)};
+        const char *name = e->choice->label;
+        if (!contender_counts(e->c)) continue;
         chart_text(out, x + 84, (y += chart_row) + 11, strlen(name) > 12 ? 9 : 12, "end", name);
         chart_bars(out, x + 90, y - 4, of, most);
     }
 }
 
-static inline void chart_write(const compare_summary *m, FILE *out)
+static inline void chart_write(const measured_scenes *m, FILE *out)
 {
-    int rows = 1, lines = (m->rows + chart_columns - 1) / chart_columns;
-    for (int k = 0; k < m->chosen->n; k++) rows += contender_counts(m->chosen->of[k].c);
+    int rows = choose_counting(m->chosen).n + 1, scenes_here = (int)m->n;
+    int lines = (scenes_here + chart_columns - 1) / chart_columns;
     int across = chart_columns * chart_wide, high = rows * chart_row + 16, all = 60 + lines * high;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
                  "viewBox='0 0 %d %d' font-family='sans-serif'>\n", across, all, across, all);
@@ -96,13 +98,22 @@ static inline void chart_write(const compare_summary *m, FILE *out)
     chart_rectangle(out, 354, 35, 20, 6, "#E69F00");
     chart_text(out, 120, 43, 12, "start", "a ray [ns], median and quartiles");
     chart_text(out, 380, 43, 12, "start", "building [ns a shape]");
-    for (int p = 0; p < m->rows; p++)
-        chart_panel(out, m, &m->row[p], p % chart_columns * chart_wide,
-                    56 + p / chart_columns * high);
+    for (int p = 0; p < scenes_here; p++)
+        chart_panel(out, &m->of[p], p % chart_columns * chart_wide, 56 + p / chart_columns * high);
     fprintf(out, "</svg>\n");
 }
 
-static inline void output_chart(const options *o, const compare_summary *m, const char *name)
+/* In the report alone. */
+static inline void chart_show(const measured_scenes *m, const html_report *to)
+{
+    if (!html_file(to)) return;
+    html_heading(to, "What a ray costs, and what building costs");
+    fprintf(html_file(to), "<div class=\"wide\">");
+    chart_write(m, html_file(to));
+    fprintf(html_file(to), "</div>\n");
+}
+
+static inline void output_chart(const options *o, const measured_scenes *m, const char *name)
 {
     char room[512];
     failure f;

@@ -22,18 +22,34 @@
 #define COMPARE_LAB_COMPARE_H
 
 #include "explain.h"
+#include "html.h"
 #include "kinds.h"
 
-/* Structures with their options; label: what --only said, "bvh:leaf=8". */
-typedef struct { const contender *c; contender_settings how; char label[44]; } compare_choice;
+/* Structures with their options; label: what --only said, "bvh:leaf=8". out: it has its place, but
+ * is not built. */
+typedef struct {
+    const contender *c;
+    contender_settings how;
+    char label[44];
+    bool out;
+} compare_choice;
 enum { compare_most = 48, compare_usual_rays = 20000 };
 typedef struct { compare_choice of[compare_most]; int n; } line_up;
+
+/* What is common to all that a run does. */
+typedef struct {
+    const options *o;
+    line_up chosen;
+    size_t most_bytes;     /* that all structures may hold together, while they are built, too */
+    html_report *to;
+} compare_settings;
 
 typedef struct {
     const compare_choice *choice;
     const contender *c;
-    void *s;                      /* NULL: it does not fit; */
-    failure why;                  /* and why */
+    void *s;                      /* NULL: it does not fit, or compare_end was */
+    bool fits;
+    failure why;                  /* it does not */
     double build;                 /* seconds, the median */
     structure_stats stats;
     search_work work[compare_kinds];
@@ -45,7 +61,10 @@ typedef struct {
                                   /* of rays aimed at borders, or begun there; of all others */
 } compare_entry;
 
+/* All that was measured on a scene. compare_end leaves the numbers: tables, chart and plots are
+ * made of them. Entry k is choice k of the line-up. */
 typedef struct {
+    char name[80];
     const world *w;
     scene scene;
     items x;
@@ -80,7 +99,10 @@ static inline bool contender_counts(const contender *c)
     return c != &brute_contender && !contender_is_first(c);
 }
 
-static inline bool entry_counts(const compare_entry *e) { return e->s && contender_counts(e->c); }
+static inline bool entry_counts(const compare_entry *e)
+{
+    return e->fits && contender_counts(e->c);
+}
 
 /* Of those chosen. */
 static inline line_up choose_counting(const line_up *chosen)
@@ -105,7 +127,8 @@ static inline void entry_build(compare_entry *e, const items *x, size_t most_byt
         seconds[done++] = work_seconds() - start;
     } while (e->s && done < rounds && !getenv("BENCH_ONCE") && work_seconds() - begin < 0.25);
     e->build = clock_median(seconds, done);
-    if (e->s) e->stats = e->c->stats(e->s);
+    e->fits = e->s != NULL;
+    if (e->fits) e->stats = e->c->stats(e->s);
 }
 
 /* On a terminal: who is at work, and on what. A later line takes its place; what NULL: erases. */
@@ -121,10 +144,12 @@ static inline void compare_begin(comparison *s, const world *w, const line_up *c
                                  size_t most_bytes, int rounds)
 {
     *s = (comparison){.w = w, .scene = world_scene(w)};
+    snprintf(s->name, sizeof s->name, "%.79s", w->name);
     s->x = w->n ? items_of_scene(&s->scene) : items_of_mesh(&w->mesh);
     for (; s->entries < chosen->n; s->entries++) {
         compare_entry *e = &s->entry[s->entries];
         e->choice = &chosen->of[s->entries], e->c = e->choice->c;
+        if (e->choice->out) continue;
         compare_progress(w->name, "building", e->c->name);
         entry_build(e, &s->x, most_bytes, rounds);
         most_bytes -= e->stats.bytes < most_bytes ? e->stats.bytes : most_bytes;
@@ -134,9 +159,9 @@ static inline void compare_begin(comparison *s, const world *w, const line_up *c
 
 static inline void compare_end(comparison *s)
 {
-    for (int k = 0; k < s->entries; k++) contender_free(s->entry[k].c, s->entry[k].s);
-    for (int k = 0; k < compare_kinds; k++) rays_free(&s->rays[k]);
-    s->entries = 0;
+    for (compare_entry *e = s->entry; e < s->entry + s->entries; e++)
+        contender_free(e->c, e->s), e->s = NULL;
+    for (int k = 0; k < compare_kinds; k++) free(s->rays[k].r), s->rays[k].r = NULL;
 }
 
 /* For things on the way: the eight wide tree, which is quick everywhere, or the BVH; or the first
@@ -145,8 +170,7 @@ static inline const compare_entry *compare_any(const comparison *s)
 {
     const compare_entry *best = NULL;
     int least = 5;
-    for (int k = 0; k < s->entries; k++) {
-        const compare_entry *e = &s->entry[k];
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
         int rank = e->c == &wide_contender ? 0 : e->c == &bvh_contender ? 1
                    : contender_counts(e->c) ? 2 : e->c == &brute_contender ? 3 : 4;
         if (e->s && rank < least) best = e, least = rank;
@@ -221,14 +245,12 @@ static inline void compare_count_wrong(comparison *s, const ray_set *rays, const
                                        bool aimed)
 {
     size_t most = 4000000 / s->x.n + 64;
-    for (int k = 0; k < s->entries; k++) {
-        compare_entry *e = &s->entry[k];
+    for (compare_entry *e = s->entry; e < s->entry + s->entries; e++)
         for (size_t i = 0; e->s && contender_is_first(e->c) && i < rays->n && i < most; i++) {
             hit h = hit_none;
             e->c->hit(e->s, rays->r[i], &h);
             e->wrong[!aimed] += first_is_wrong(h, due[i]), e->held[!aimed]++;
         }
-    }
 }
 
 /* All entries on some rays. The first that fits gives the hits that the others are held against;
@@ -243,8 +265,7 @@ static inline bool prove_rays(comparison *s, const ray_set *rays, bool by_brute,
         due[i] = hit_none;
         if (by_brute) items_hit(&s->x, rays->r[i], &due[i]);
     }
-    for (int k = 0; ok && k < s->entries; k++) {
-        const compare_entry *e = &s->entry[k];
+    for (const compare_entry *e = s->entry; ok && e < s->entry + s->entries; e++) {
         if (!entry_counts(e)) continue;
         if (oracle == NULL)
             oracle = e->c->name, e->c->search(e->s, rays->r, rays->n, false, due);

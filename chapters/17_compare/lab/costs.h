@@ -2,7 +2,7 @@
  *
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
  *   cost_kind(&s, kind, turns, most_work)   one kind; most_work: cost_full, cost_few
- *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
+ *   cost_table(&s, to)              a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
  *
  * The columns are those in which the literature compares (Havran 2000), in short names:
@@ -25,7 +25,6 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "html.h"
 #include "knobs.h"
 
 #define cost_columns                                                                            \
@@ -92,8 +91,9 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns, double
         }
     for (int k = 0; k < s->entries; k++) {
         compare_entry *e = &s->entry[k];
+        if (!e->s) continue;
         if (done[k]) e->seconds[kind] = bench_median(seconds[k], done[k], &e->spread[kind]);
-        if (e->s) rays_free(&all[k]), rays_free(&warm[k]);
+        rays_free(&all[k]), rays_free(&warm[k]);
     }
     compare_progress(s->w->name, NULL, NULL);
     free(out);
@@ -126,22 +126,19 @@ static inline double cost_mean(const comparison *s, const compare_entry *e)
 static inline double cost_spread(const compare_entry *e)
 {
     double sum = 0;
-    int n = 0;
+    size_t n = 0;
     for (int k = 0; k < compare_kinds; k++)
         if (e->rays[k]) sum += e->spread[k], n++;
-    return n ? sum / n : 0;
+    return per(sum, n);
 }
 
-static inline search_work cost_work(const compare_entry *e, size_t *rays)
+/* Steps and tests a ray, of all kinds. */
+static inline void cost_work(const compare_entry *e, double *nodes, double *tests)
 {
-    search_work w = {0, 0, 0, 0};
-    *rays = 0;
-    for (int k = 0; k < compare_kinds; k++) {
-        w.nodes += e->work[k].nodes, w.leaves += e->work[k].leaves;
-        w.empty += e->work[k].empty, w.tests += e->work[k].tests;
-        *rays += e->counted[k];
-    }
-    return w;
+    size_t sum[2] = {0, 0}, n = 0;
+    for (int k = 0; k < compare_kinds; k++)
+        sum[0] += e->work[k].nodes, sum[1] += e->work[k].tests, n += e->counted[k];
+    *nodes = per((double)sum[0], n), *tests = per((double)sum[1], n);
 }
 
 /* The lines build + k * ns (17.8): which is lower than that of `now`, soonest after *from rays, and
@@ -153,78 +150,76 @@ static inline const compare_entry *cost_next(const comparison *s, const compare_
     const compare_entry *next = NULL;
     double since = *from, slow = cost_mean(s, now);
     *from = HUGE_VAL;
-    for (int k = 0; k < s->entries; k++) {
-        const compare_entry *e = &s->entry[k];
-        if (!e->s || contender_is_first(e->c)) continue;
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        if (!e->fits || contender_is_first(e->c)) continue;
         double gain = slow - cost_mean(s, e), at = fmax(since, (e->build - now->build) / gain);
         if (gain > 0.03 * slow && at < 0.9 * *from) *from = at, next = e;
     }
     return next;
 }
 
-static inline void cost_cheapest(const comparison *s)
+static inline void cost_cheapest(const comparison *s, html_report *to)
 {
     const compare_entry *now = NULL;
+    char text[4096];
     double from = 0;
-    for (int k = 0; k < s->entries; k++) {
-        const compare_entry *e = &s->entry[k];
-        if (!e->s || contender_is_first(e->c)) continue;
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        if (!e->fits || contender_is_first(e->c)) continue;
         if (!now || e->build + cost_mean(s, e) < now->build + cost_mean(s, now)) now = e;
     }
     if (!now) return;
-    printf("# cheapest in all: %s", now->choice->label);
-    while ((now = cost_next(s, now, &from)) != NULL)
-        printf(", from %.2g rays on %s", from, now->choice->label);
-    printf("\n");
+    int n = snprintf(text, sizeof text, "cheapest in all: %s", now->choice->label);
+    while ((now = cost_next(s, now, &from)) != NULL)  /* of 48 at most: there is room */
+        n += snprintf(text + n, sizeof text - (size_t)n, ", from %.2g rays on %s", from,
+                      now->choice->label);
+    html_note(to, "%s", text);
 }
 
+/* A row of cost_table. What first versions hold nobody counts. */
 static inline void cost_row(table *t, const comparison *s, const compare_entry *e)
 {
     structure_stats st = e->stats;
-    size_t rays;
-    search_work w = cost_work(e, &rays);
+    double nodes, tests;
+    cost_work(e, &nodes, &tests);
+    const double cell[] = {
+        per((double)st.bytes, s->x.n), (double)st.inner, (double)st.leaves, (double)st.empty,
+        per((double)st.references, st.items), nodes, tests, cost_ns(e, KIND_PRIMARY),
+        cost_ns(e, KIND_SHADOW), cost_ns(e, KIND_DIFFUSE), cost_ns(e, KIND_MIRROR)};
+    enum { cells = sizeof cell / sizeof *cell, counted = 1, counted_end = 4, searched = 6 };
     table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->choice->label);
-    if (!e->s) {
-        table_text(t, "does not fit");
-        for (int k = 0; k < 11; k++) table_text(t, "-");
-        return;
-    }
-    table_number(t, e->build * 1e3);
-    if (contender_is_first(e->c)) {  /* what they hold nobody counts */
-        for (int k = 0; k < 6; k++) table_text(t, "-");
-    } else {
-        table_number(t, per((double)st.bytes, s->x.n));
-        table_count(t, st.inner), table_count(t, st.leaves), table_count(t, st.empty);
-        table_number(t, per((double)st.references, st.items));
-        table_number(t, per((double)w.nodes, rays));
-    }
-    table_number(t, per((double)w.tests, rays));
-    for (int k = 0; k < compare_kinds; k++) table_number(t, cost_ns(e, k));
+    if (e->fits) table_number(t, e->build * 1e3);
+    else table_text(t, "does not fit");
+    for (int k = 0; k < cells; k++)
+        if (!e->fits || (contender_is_first(e->c) && k < searched)) table_text(t, "-");
+        else if (k >= counted && k < counted_end) table_count(t, (size_t)cell[k]);
+        else table_number(t, cell[k]);
 }
 
 /* They go on where they are wrong: at edges their triangles slip (04). */
-static inline void cost_print_wrong(const compare_entry *e)
+static inline void cost_print_wrong(const compare_entry *e, html_report *to)
 {
-    printf("# %s: wrong at %zu of %zu rays from or to borders, at %zu of %zu others\n",
-           e->choice->label, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
+    html_note(to, "%s: wrong at %zu of %zu rays from or to borders, at %zu of %zu others",
+              e->choice->label, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
 }
 
-static inline void cost_table(const options *o, const comparison *s, const char *title,
-                              html_report *to)
+static inline void cost_table(const comparison *s, html_report *to)
 {
+    char title[160];
+    snprintf(title, sizeof title, "%.60s: %zu shapes; %zu rays proved equal, %zu by brute force",
+             s->name, s->x.n, s->proved, s->by_brute);
     table t = table_new(title, "structure|build [ms]|B/shape|inner|leaves|empty|refs/shape|"
                                "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|"
                                "mirror [ns]");
-    for (int k = 0; k < s->entries; k++)
-        if (s->entry[k].s || !contender_is_first(s->entry[k].c)) cost_row(&t, s, &s->entry[k]);
-    html_table(to, o, &t);
-    for (int k = 0; k < s->entries; k++) {
-        const compare_entry *e = &s->entry[k];
+    const compare_entry *end = s->entry + s->entries;
+    for (const compare_entry *e = s->entry; e < end; e++)
+        if (e->fits || !contender_is_first(e->c)) cost_row(&t, s, e);
+    html_table(to, &t);
+    for (const compare_entry *e = s->entry; e < end; e++) {
         bool first = contender_is_first(e->c);
-        if (e->s && first) cost_print_wrong(e);
-        if (!e->s && !first) printf("# %s does not fit: %s\n", e->choice->label, e->why.text);
+        if (e->fits && first) cost_print_wrong(e, to);
+        if (!e->fits && !first) html_note(to, "%s does not fit: %s", e->choice->label, e->why.text);
     }
-    cost_cheapest(s);
+    cost_cheapest(s, to);
 }
 
 static inline void cost_csv_row(table *t, const comparison *s, const compare_entry *e,
@@ -232,25 +227,23 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
 {
     structure_stats st = e->stats;
     size_t counted = e->counted[kind];
-    search_work w = e->work[kind];
-    const size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
-    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label);
-    table_text(t, "%s", name);
-    table_count(t, e->s ? e->rays[kind] : 0), table_count(t, e->hits[kind]);
-    table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
+    const size_t count[] = {st.bytes, st.peak, st.inner, st.leaves, st.empty, st.references,
+                            (size_t)st.depth};
+    table_text(t, "%s", s->name), table_text(t, "%s", e->choice->label), table_text(t, "%s", name);
+    table_count(t, e->fits ? e->rays[kind] : 0), table_count(t, e->hits[kind]);
+    table_text(t, "%.9f", e->build);
     for (size_t k = 0; k < sizeof count / sizeof *count; k++) table_count(t, count[k]);
-    table_text(t, "%.6g", per((double)w.nodes, counted));
-    table_text(t, "%.6g", per((double)w.tests, counted));
+    table_text(t, "%.6g", per((double)e->work[kind].nodes, counted));
+    table_text(t, "%.6g", per((double)e->work[kind].tests, counted));
     table_text(t, "%.6g", cost_ns(e, (int)kind));
 }
 
 /* A structure that does not fit has a row, too: no rays, no numbers. */
 static inline void cost_csv(table *t, const comparison *s)
 {
-    for (int i = 0; i < s->entries; i++)
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
         for (compare_kind k = 0; k < compare_kinds; k++)
-            if (s->entry[i].rays[k] || !s->entry[i].s)
-                cost_csv_row(t, s, &s->entry[i], kind_name[k], k);
+            if (e->rays[k] || !e->fits) cost_csv_row(t, s, e, kind_name[k], k);
 }
 
 #endif

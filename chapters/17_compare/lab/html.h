@@ -1,11 +1,11 @@
-/* html.h: a report in one file that needs nothing else: tables, charts as SVG, pictures within.
+/* html.h: where results go: to the screen, and into a report: one HTML file that needs no other.
  *
- *   html_report *r = html_begin("report.html", "Title");   path NULL: NULL, and all that follows
- *                                                          does nothing
- *   html_heading(r, "Verdict"), html_element(r, "p", "text")
- *   html_table(r, &o, &t)              output_extra_table, and in the report
- *   html_plot(r, &o, &p, "x.svg")      output_plot, and in the report
- *   html_picture(r, &im, "caption")
+ *   html_report *r = html_begin(&o, "report.html", "Title");   path NULL: the screen alone
+ *   html_heading(r, "Verdict"), html_element(r, "p", "text")   in the report alone
+ *   html_note(r, "%zu rays", n)        "# 7 rays" on the screen, a paragraph in the report
+ *   html_table(r, &t)                  output_extra_table, and in the report
+ *   html_plot(r, &p, "x.svg")          output_plot, and in the report
+ *   html_picture(r, &im, "caption")    in the report alone
  *   html_end(r)                        writes the file
  */
 #ifndef COMPARE_LAB_HTML_H
@@ -13,10 +13,11 @@
 
 #include "../../../common/lab/report.h"
 
-typedef struct { file_writer file; const char *path; } html_report;
+typedef struct { const options *o; file_writer file; const char *path; } html_report;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* NULL: there is no report. */
 static inline FILE *html_file(const html_report *r) { return r->file.stream; }
 
 static inline void html_escaped(FILE *out, const char *text)
@@ -42,33 +43,34 @@ static inline void html_processor(FILE *out)
     if (in) fclose(in);
 }
 
-static inline html_report *html_begin(const char *path, const char *title)
+static inline html_report *html_begin(const options *o, const char *path, const char *title)
 {
+    static const char *const style =
+        "body { font: 16px/1.5 sans-serif; max-width: 70em; margin: 0 auto; padding: 1em; "
+        "color: #222; background: white; }\n"
+        "h1, h3 { line-height: 1.2; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }\n"
+        "h3 { font-size: 95%; margin: 1.5em 0 .3em; } figure { margin: 1em 0; }\n"
+        ".wide { overflow-x: auto; margin: .3em 0 1em; }\n"
+        ".run, .note { color: #555; font-size: 90%; overflow-wrap: anywhere; }\n"
+        ".note { margin: .3em 0; } table { border-collapse: collapse; font-size: 85%; }\n"
+        "th, td { padding: .2em .6em; border-bottom: 1px solid #ddd; text-align: left; }\n"
+        "th { vertical-align: bottom; } td { white-space: nowrap; }\n"
+        ".n { text-align: right; font-variant-numeric: tabular-nums; }\n"
+        "th, td:first-child { background: #f4f4f4; }\n"
+        "td:first-child, th:first-child { position: sticky; left: 0; }\n"
+        "img, svg { max-width: 100%; height: auto; }\n"
+        "@media (max-width: 900px) { .wide > svg { max-width: none; } }\n";
     failure f;
-    if (!path) return NULL;
+    struct utsname u;
     html_report *r = allocate(1, sizeof *r);
-    r->path = path;
+    *r = (html_report){.o = o, .path = path};
+    if (!path) return r;
     if (!file_begin(&r->file, path, &f)) fail(f);
     fprintf(html_file(r),
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            "<title>%s</title>\n<style>\n"
-            "body { font: 16px/1.5 sans-serif; max-width: 70em; margin: 0 auto; padding: 1em; "
-            "color: #222; background: white; }\n"
-            "h1 { line-height: 1.2; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }\n"
-            ".wide { overflow-x: auto; margin: 1em 0; } .run { color: #555; font-size: 90%%; "
-            "overflow-wrap: anywhere; }\n"
-            "table { border-collapse: collapse; font-size: 85%%; } caption { text-align: left; "
-            "font-weight: bold; padding: .3em 0; }\n"
-            "th, td { padding: .2em .6em; border-bottom: 1px solid #ddd; text-align: left; }\n"
-            "th { vertical-align: bottom; background: #f4f4f4; } .n { text-align: right; "
-            "font-variant-numeric: tabular-nums; }\n"
-            "td:first-child, th:first-child { position: sticky; left: 0; background: #f4f4f4; }\n"
-            "svg, img { max-width: 100%%; height: auto; } figure { margin: 1em 0; }\n"
-            ".wide > svg { max-width: none; } @media (min-width: 900px) { .wide > svg { "
-            "max-width: 100%%; } }\n"
-            "</style></head><body>\n<h1>%s</h1>\n<p class=\"run\">", title, title);
-    struct utsname u;
+            "<title>%s</title>\n<style>\n%s</style></head><body>\n<h1>%s</h1>\n<p class=\"run\">",
+            title, style, title);
     if (uname(&u) >= 0) fprintf(html_file(r), "%s %s, %d cores; ", u.sysname, u.machine,
                                 parallel_cores());
     html_processor(html_file(r));
@@ -81,10 +83,10 @@ static inline html_report *html_begin(const char *path, const char *title)
 /* <tag>text</tag>, where there is a report. */
 static inline void html_element(const html_report *r, const char *tag, const char *text)
 {
-    if (!r) return;
+    if (!html_file(r)) return;
     fprintf(html_file(r), "<%s>", tag);
     html_escaped(html_file(r), text);
-    fprintf(html_file(r), "</%s>\n", tag);
+    fprintf(html_file(r), "</%.*s>\n", (int)strcspn(tag, " "), tag);
 }
 
 static inline void html_heading(const html_report *r, const char *text)
@@ -92,12 +94,24 @@ static inline void html_heading(const html_report *r, const char *text)
     html_element(r, "h2", text);
 }
 
-static inline void html_rows(FILE *out, const table *t)
+__attribute__((format(printf, 2, 3)))
+static inline void html_note(const html_report *r, const char *format, ...)
 {
-    fprintf(out, "<div class=\"wide\"><table><caption>");
-    html_escaped(out, t->title);
-    fprintf(out, "</caption>\n");
-    for (size_t i = 0; i < t->n; i++) {
+    char text[4096];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    printf("# %s\n", text);
+    html_element(r, "p class=\"note\"", text);
+}
+
+static inline void html_table(const html_report *r, table *t)
+{
+    FILE *out = html_file(r);
+    html_element(r, "h3", t->title);
+    if (out) fprintf(out, "<div class=\"wide\"><table>\n");
+    for (size_t i = 0; out && i < t->n; i++) {
         size_t column = i % t->columns;
         const char *cell = i < t->columns ? "th" : "td";
         fprintf(out, "%s<%s%s>", column ? "" : "<tr>", cell,
@@ -105,22 +119,16 @@ static inline void html_rows(FILE *out, const table *t)
         html_escaped(out, t->cell[i]);
         fprintf(out, "</%s>%s", cell, column + 1 == t->columns ? "</tr>\n" : "");
     }
-    fprintf(out, "</table></div>\n");
-}
-
-static inline void html_table(const html_report *r, const options *o, table *t)
-{
-    if (r) html_rows(html_file(r), t);
-    output_extra_table(o, t);
+    if (out) fprintf(out, "</table></div>\n");
+    output_extra_table(r->o, t);
 }
 
 /* On a narrow screen it is scrolled rather than shrunk. */
-static inline void html_plot(const html_report *r, const options *o, plot *p, const char *name)
+static inline void html_plot(const html_report *r, plot *p, const char *name)
 {
-    if (r) fprintf(html_file(r), "<div class=\"wide\">");
-    if (r) plot_write(p, html_file(r));
-    if (r) fprintf(html_file(r), "</div>\n");
-    output_plot(o, p, name);
+    FILE *out = html_file(r);
+    if (out) fprintf(out, "<div class=\"wide\">"), plot_write(p, out), fprintf(out, "</div>\n");
+    output_plot(r->o, p, name);
 }
 
 static inline void html_base64(FILE *out, const unsigned char *b, size_t n)
@@ -139,35 +147,32 @@ static inline void html_base64(FILE *out, const unsigned char *b, size_t n)
 
 static inline void html_picture(const html_report *r, const image *im, const char *caption)
 {
-    if (!r) return;
-    size_t bad;
-    FILE *scratch = tmpfile();
-    if (!scratch) die(1, "%s: no room for a picture", r->path);
+    if (!html_file(r)) return;
+    size_t bad, n;
+    char *png;
+    FILE *out = open_memstream(&png, &n);
     uint8_t *rgb = image_bytes(im, &bad);
-    png_write(scratch, rgb, im->width, im->height);
+    if (out) png_write(out, rgb, im->width, im->height);
+    if (!out || fclose(out) != 0) die(1, "%s: no room for a picture", r->path);
     free(rgb);
-    size_t n = (size_t)ftell(scratch);
-    unsigned char *bytes = allocate(n, 1);
-    rewind(scratch);
-    n = fread(bytes, 1, n, scratch);
-    fclose(scratch);
     fprintf(html_file(r), "<figure><img alt=\"");
     html_escaped(html_file(r), caption);
     fprintf(html_file(r), "\" src=\"data:image/png;base64,");
-    html_base64(html_file(r), bytes, n);
+    html_base64(html_file(r), (const unsigned char *)png, n);
     fprintf(html_file(r), "\">");
     html_element(r, "figcaption", caption);
     fprintf(html_file(r), "</figure>\n");
-    free(bytes);
+    free(png);
 }
 
 static inline void html_end(html_report *r)
 {
     failure f;
-    if (!r) return;
-    fprintf(html_file(r), "</body></html>\n");
-    if (!file_commit(&r->file, &f)) fail(f);
-    output_note(r->path);
+    if (r->path) {
+        fprintf(html_file(r), "</body></html>\n");
+        if (!file_commit(&r->file, &f)) fail(f);
+        output_note(r->path);
+    }
     free(r);
 }
 

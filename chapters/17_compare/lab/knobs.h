@@ -54,16 +54,20 @@ static inline const knob *knob_find(const contender *c, const char *name, size_t
     return NULL;
 }
 
+static inline void names_add(char all[512], const char *name)
+{
+    size_t n = strlen(all);
+    snprintf(all + n, 512 - n, " %s", name);
+}
+
 /* All there are: names of structures, or of the options of c. */
 static inline const char *knob_names(const contender *c)
 {
     static char all[512];
     all[0] = 0;
-    for (int k = 0; !c && k < contenders; k++)
-        snprintf(all + strlen(all), sizeof all - strlen(all), " %s", contender_list[k]->name);
+    for (int k = 0; !c && k < contenders; k++) names_add(all, contender_list[k]->name);
     for (size_t k = 0; c && k < sizeof knobs / sizeof *knobs; k++)
-        if (strcmp(knobs[k].type, c->type) == 0)
-            snprintf(all + strlen(all), sizeof all - strlen(all), " %s", knobs[k].name);
+        if (strcmp(knobs[k].type, c->type) == 0) names_add(all, knobs[k].name);
     return all[0] ? all : " none";
 }
 
@@ -80,10 +84,9 @@ static inline double knob_number(const knob *k, const char *text)
 
 static inline const char *knob_rule(const knob *k, const char *name)
 {
-    char all[256] = "";
+    char all[512] = "";
     const bvh_rule *rule = bvh_rule_find(name);
-    for (int i = 0; i < bvh_rule_count; i++)
-        snprintf(all + strlen(all), sizeof all - strlen(all), " %s", bvh_rules[i].name);
+    for (int i = 0; i < bvh_rule_count; i++) names_add(all, bvh_rules[i].name);
     if (!rule) die(2, "%s=%s: allowed are%s", k->name, name, all);
     return rule->name;
 }

@@ -14,19 +14,13 @@
 #include "costs.h"
 #include "../../07_mesh/scenes/named.h"
 
-typedef struct {
-    const options *o;
-    line_up chosen;
-    size_t most_bytes;     /* that all structures may hold together, while they are built, too */
-} compare_settings;
-
 typedef struct { const char *rays, *hits, *costs; bool any; } compare_files;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void end_if_wrong(bool ok)
+static inline void end_if_wrong(bool ok, const char *where)
 {
-    if (!ok) die(1, "a structure differs from brute force: see above");
+    if (!ok) die(1, "%.80s: a structure differs from brute force: see above", where);
 }
 
 static inline void protocol_scene(const compare_settings *c, const generator *g, int scale)
@@ -37,8 +31,7 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
     if (!world_make(g, scale, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
     world_to_mesh(&w);
     compare_begin(&s, &w, &c->chosen, c->most_bytes, 1);
-    for (int k = 0; k < s.entries; k++) {
-        const compare_entry *e = &s.entry[k];
+    for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
         size_t hits = 0;
         search_work work = {0, 0, 0, 0};
         hit h;
@@ -83,12 +76,11 @@ static inline void verify_world(const compare_settings *c, const world *w)
         ok = prove_rays(&s, &s.rays[k], true, false, stdout);
     }
     compare_progress(w->name, NULL, NULL);
-    end_if_wrong(ok);
-    for (int k = 0; k < s.entries; k++) {
-        const compare_entry *e = &s.entry[k];
+    end_if_wrong(ok, w->name);
+    for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
         const char *label = e->choice->label;
         if (!e->s) printf("%s %s: does not fit: %s\n", w->name, label, e->why.text);
-        else if (contender_is_first(e->c)) cost_print_wrong(e);
+        else if (contender_is_first(e->c)) cost_print_wrong(e, c->to);
         else if (e->c != &brute_contender)
             printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, "
                    "and those that end at their hits: as brute force\n", w->name, label,
@@ -108,15 +100,14 @@ static inline void file_costs(const comparison *s, const compare_files *f, const
     file_writer to;
     if (!file_begin(&to, f->costs, &why)) fail(why);
     fprintf(to.stream, "ray,t,shape");
-    for (int k = 0; k < s->entries; k++) {
-        const char *label = s->entry[k].choice->label;
-        if (entry_counts(&s->entry[k])) fprintf(to.stream, ",%s nodes,%s tests", label, label);
-    }
+    const compare_entry *end = s->entry + s->entries;
+    for (const compare_entry *e = s->entry; e < end; e++)
+        if (entry_counts(e))
+            fprintf(to.stream, ",%s nodes,%s tests", e->choice->label, e->choice->label);
     for (size_t i = 0; i < rays->n; i++) {
         fprintf(to.stream, "\n%zu,%.9g,%.0f", i, (double)h[i].t,
                 h[i].shape == no_shape ? -1.0 : (double)h[i].shape);
-        for (int k = 0; k < s->entries; k++) {
-            const compare_entry *e = &s->entry[k];
+        for (const compare_entry *e = s->entry; e < end; e++) {
             search_work w = {0, 0, 0, 0};
             hit unused;
             if (!entry_counts(e)) continue;
@@ -141,7 +132,7 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
     end_if_wrong(prove_rays(&s, &some, true, false, stdout)
-                 && prove_rays(&s, &all, false, false, stdout));
+                 && prove_rays(&s, &all, false, false, stdout), w->name);
     s.rays[kind] = all;
     cost_kind(&s, kind, 7, cost_full);
     table t = table_new("Rays from a file, one thread", cost_columns);

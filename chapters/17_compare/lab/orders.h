@@ -1,7 +1,7 @@
 /* orders.h: the two orders of rendering once more (08): each triangle on its pixels, or each
  * pixel's ray in a tree? Primary visibility, one thread.
  *
- *   orders_run(&o)                        the table, and 17_compare_orders_time.svg
+ *   orders_run(&c)                        the table, and 17_compare_orders_time.svg
  *
  *   race_begin(n, &t)                     teapot of n x n cells a patch, one camera; its wide tree
  *   t.s = raster_new(nx, ny)              the picture that both draw; what was in it is gone
@@ -84,8 +84,9 @@ static inline void race_row(race *t, int nx, int rounds, const int series[2], pl
     raster_free(&t->s);
 }
 
-static inline void orders_run(const options *o)
+static inline void orders_run(const compare_settings *c)
 {
+    const options *o = c->o;
     static const int cells[] = {2, 8, 32, 64, 125}, width[] = {80, 320, 1280};
     int meshes = o->quick ? 2 : 5, sizes = o->quick ? 2 : 3, series[3][2];
     table t = table_new("Two orders, one picture", "triangles|pixels|asked a pixel|raster [ms]|"
@@ -107,8 +108,9 @@ static inline void orders_run(const options *o)
         race_end(&track);
     }
     compare_progress("two orders", NULL, NULL);
-    output_extra_table(o, &t);
-    output_plot(o, &p, "17_compare_orders_time.svg");
+    html_heading(c->to, "Two orders");
+    html_table(c->to, &t);
+    html_plot(c->to, &p, "17_compare_orders_time.svg");
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* pictures.h: all scenes on one sheet, and what each pixel took, structure by structure.
  *
  *   sheet_draw(&o, &im)                         6 x 2 panels, colours under the headlight of 02
- *   image v = visits_draw(&o, &w, &chosen, bytes, &whole)    4 panels a row: the scene; nodes and
+ *   image v = visits_draw(&c, &w, &whole)       4 panels a row: the scene; nodes and
  *                                               tests of each primary ray, black none, white
  *                                               visits_most or more; one for each structure
  * Not whole: Ctrl-C stopped it, and the picture is what there is.
@@ -96,12 +96,12 @@ static inline bool sheet_draw(const options *o, image *im)
 }
 
 /* Brute force would be white, and first versions don't count steps: these are left out. */
-static inline image visits_draw(const options *o, const world *w, const line_up *chosen,
-                                size_t most_bytes, bool *whole)
+static inline image visits_draw(const compare_settings *c, const world *w, bool *whole)
 {
     comparison s;
-    line_up shown = choose_counting(chosen);
-    compare_begin(&s, w, &shown, most_bytes, 1);
+    const options *o = c->o;
+    line_up shown = choose_counting(&c->chosen);
+    compare_begin(&s, w, &shown, c->most_bytes, 1);
     int rows = s.entries / visits_columns + 1, across = o->width / visits_columns;
     image im = image_new(o->width, rows * (across > 0 ? across : 1));
     label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));

@@ -1,6 +1,6 @@
 /* ray_order.h: rays that stay together or not, one core and all: does the verdict change?
  *
- *   order_run(&o, &chosen, most_bytes, report)        a table
+ *   order_run(&c)            a table
  *
  * The same primary rays of a teapot in rows (coherent, 相干) and shuffled (the same work in another
  * order), and diffuse ones (incoherent, 非相干); then these on all cores. Times are of processors,
@@ -68,16 +68,16 @@ static inline void order_row(table *t, const compare_entry *e, const ray_set set
     table_number(t, c[order_sets - 1].seconds / c[order_sets].seconds);
 }
 
-static inline void order_run(const options *o, const line_up *chosen, size_t most_bytes,
-                             html_report *to)
+static inline void order_run(const compare_settings *c)
 {
     world w;
     comparison s;
     failure f;
     char title[120];
-    line_up some = choose_counting(chosen);
+    const options *o = c->o;
+    line_up some = choose_counting(&c->chosen);
     if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
-    compare_begin(&s, &w, &some, most_bytes, 1);
+    compare_begin(&s, &w, &some, c->most_bytes, 1);
     compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);
     ray_set set[order_sets] = {s.rays[KIND_PRIMARY],
                                 order_shuffled(&s.rays[KIND_PRIMARY], o->seed),
@@ -88,12 +88,12 @@ static inline void order_run(const options *o, const line_up *chosen, size_t mos
              w.mesh.triangles, set[0].n, parallel_cores());
     table t = table_new(title, "structure|in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|"
                                "efficiency");
-    for (int k = 0; k < s.entries; k++) {
-        compare_progress("order and cores", "timing", s.entry[k].choice->label);
-        if (s.entry[k].s) order_row(&t, &s.entry[k], set, out, o->threads);
+    for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
+        compare_progress("order and cores", "timing", e->choice->label);
+        if (e->fits) order_row(&t, e, set, out, o->threads);
     }
     compare_progress("order and cores", NULL, NULL);
-    html_table(to, o, &t);
+    html_table(c->to, &t);
     free(out), rays_free(&set[1]);
     compare_end(&s);
     world_free(&w);

@@ -1,6 +1,6 @@
 /* regimes.h: where the verdict might change: the order of rays and all cores (ray_order.h), motion.
  *
- *   regimes_run(&o, &chosen, most_bytes, report)      tables and a plot; false: a wrong hit
+ *   regimes_run(&c)          tables and a plot; false: a wrong hit
  *
  * Motion (motion.h): a teapot is twisted in 60 frames, and there are four ways to keep its BVH:
  * built anew by the heuristic or by Morton codes, refitted, refitted with rotations
@@ -19,13 +19,14 @@
 typedef enum { KEEP_SAH, KEEP_MORTON, KEEP_REFIT, KEEP_ROTATE, keepings } keeping;
 static const char *const keeping_name[keepings] = {
     "anew, heuristic", "anew, Morton codes", "refitted", "refitted, rotated"};
-enum { motion_frames = 60 };
+enum { motion_frames = 60, motion_last = 10 };
 
 typedef struct {
-    bvh_mesh b;
+    bvh_mesh tree;
     size_t rays, wrong;
     search_work work;                                        /* of the last frame */
     double frame[motion_frames], ray[motion_frames];         /* seconds */
+    double b, c;                                             /* at last, as in (17.8) */
 } kept_tree;
 
 static inline void kept_frame(kept_tree *x, keeping how, const mesh *m)
@@ -33,10 +34,10 @@ static inline void kept_frame(kept_tree *x, keeping how, const mesh *m)
     bvh_options rules = bvh_defaults;
     failure f;
     if (how == KEEP_MORTON) rules.rule = "morton";
-    if (how >= KEEP_REFIT) bvh_mesh_refit(&x->b, m, how == KEEP_ROTATE);
+    if (how >= KEEP_REFIT) bvh_mesh_refit(&x->tree, m, how == KEEP_ROTATE);
     else {
-        bvh_mesh_free(&x->b);
-        if (!bvh_mesh_build(m, rules, &x->b, &f)) fail(f);
+        bvh_mesh_free(&x->tree);
+        if (!bvh_mesh_build(m, rules, &x->tree, &f)) fail(f);
     }
 }
 
@@ -46,7 +47,7 @@ static inline void kept_rays(kept_tree *x, int frame, const ray_set *rays, hit *
     x->work = (search_work){0, 0, 0, 0};
     for (size_t i = 0; i < rays->n; i++) {
         hit h = hit_none;
-        bvh_mesh_hit_counted(&x->b, rays->r[i], &h, &x->work);
+        bvh_mesh_hit_counted(&x->tree, rays->r[i], &h, &x->work);
         if (first) due[i] = h;
         x->wrong += !hits_same(h, due[i]);
     }
@@ -54,56 +55,55 @@ static inline void kept_rays(kept_tree *x, int frame, const ray_set *rays, hit *
     double start = work_seconds();
     for (size_t i = 0; i < rays->n; i++) {
         hit h;
-        hits += bvh_mesh_hit(&x->b, rays->r[i], &h);
+        hits += bvh_mesh_hit(&x->tree, rays->r[i], &h);
     }
     x->ray[frame] = (work_seconds() - start) / (double)rays->n;
     clock_kept = (double)hits;
     x->rays = rays->n;
 }
 
-static inline double last_ten(const double x[motion_frames])
+/* How long building and a ray take at last. */
+static inline void kept_times(kept_tree *x)
 {
-    double last[10];
-    memcpy(last, x + motion_frames - 10, sizeof last);
-    return clock_median(last, 10);
+    x->b = clock_median(x->frame + motion_frames - motion_last, motion_last);
+    x->c = clock_median(x->ray + motion_frames - motion_last, motion_last);
 }
 
-static inline void motion_table(const options *o, const kept_tree x[keepings], const char *title,
-                                html_report *to)
+/* From how many rays on the line b + k c of x is the lowest of all; inf: nowhere. */
+static inline double kept_best_from(const kept_tree all[keepings], const kept_tree *x)
+{
+    double from = 0, to_here = HUGE_VAL;
+    for (const kept_tree *y = all; y < all + keepings; y++) {
+        double at = (y->b - x->b) / (x->c - y->c);
+        if (y != x && x->c < y->c) from = fmax(from, at);
+        if (y != x && !(x->c < y->c)) to_here = fmin(to_here, at);
+    }
+    return from < to_here ? from : HUGE_VAL;
+}
+
+/* Work and times of the last frames, and time by rays a frame. */
+static inline void motion_print(const kept_tree x[keepings], const char *title, html_report *to)
 {
     table t = table_new(title, "boxes|nodes/ray|tests/ray|a frame [ms]|a ray [ns]|"
                                "time: best from [rays]");
-    for (int k = 0; k < keepings; k++) {
-        double b = last_ten(x[k].frame), c = last_ten(x[k].ray), from = 0, to_here = HUGE_VAL;
-        for (int j = 0; j < keepings; j++) {  /* the lines b + k c: where this one is the lowest */
-            double bj = last_ten(x[j].frame), cj = last_ten(x[j].ray), at = (bj - b) / (c - cj);
-            if (j == k) continue;
-            if (c < cj) from = fmax(from, at);
-            else to_here = fmin(to_here, at);
-        }
-        table_text(&t, "%s", keeping_name[k]);
-        table_number(&t, per((double)x[k].work.nodes, x[k].rays));
-        table_number(&t, per((double)x[k].work.tests, x[k].rays));
-        table_number(&t, b * 1e3), table_number(&t, c * 1e9);
-        if (from < to_here) table_number(&t, ceil(from));
-        else table_text(&t, "never");
-    }
-    html_table(to, o, &t);
-}
-
-/* Time by rays a frame. */
-static inline void motion_plot(const options *o, const kept_tree x[keepings], html_report *to)
-{
     plot time = plot_new("A frame and its rays: twist", "rays a frame", "time a frame [ms]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < keepings; k++) {
+        double from = kept_best_from(x, &x[k]);
         int s = plot_series(&time, keeping_name[k]);
+        table_text(&t, "%s", keeping_name[k]);
+        table_number(&t, per((double)x[k].work.nodes, x[k].rays));
+        table_number(&t, per((double)x[k].work.tests, x[k].rays));
+        table_number(&t, x[k].b * 1e3), table_number(&t, x[k].c * 1e9);
+        if (isfinite(from)) table_number(&t, ceil(from));
+        else table_text(&t, "never");
         for (int half = 4; half <= 12; half++) {
             double n = pow(10, half / 2.0);
-            plot_add(&time, s, n, (last_ten(x[k].frame) + n * last_ten(x[k].ray)) * 1e3);
+            plot_add(&time, s, n, (x[k].b + n * x[k].c) * 1e3);
         }
     }
-    html_plot(to, o, &time, "17_compare_twist_time.svg");
+    html_table(to, &t);
+    html_plot(to, &time, "17_compare_twist_time.svg");
 }
 
 /* Rays from all around, anew each frame, of the kind that meets all of the mesh. */
@@ -119,7 +119,7 @@ static inline bool motion_run(const options *o, html_report *to)
     kept_tree *x = allocate(keepings, sizeof *x);
     memset(x, 0, keepings * sizeof *x);
     for (int k = KEEP_REFIT; k < keepings; k++)
-        if (!bvh_mesh_build(&rest, bvh_defaults, &x[k].b, &f)) fail(f);
+        if (!bvh_mesh_build(&rest, bvh_defaults, &x[k].tree, &f)) fail(f);
     for (int i = 0; i < motion_frames; i++) {
         motion_frame(MOTION_TWIST, &rest, (real)(i + 1) / motion_frames, &w.mesh);
         ray_set rays = rays_everywhere(&w, o->quick ? 100 : 4000, o->seed + (uint64_t)i);
@@ -134,20 +134,20 @@ static inline bool motion_run(const options *o, html_report *to)
     }
     snprintf(title, sizeof title, "Moving, twist: %zu triangles, the last of %d frames",
              rest.triangles, (int)motion_frames);
-    motion_table(o, x, title, to);
-    motion_plot(o, x, to);
-    for (int k = 0; k < keepings; k++) wrong += x[k].wrong, bvh_mesh_free(&x[k].b);
-    printf("# %d frames, %zu rays each: %zu wrong hits\n\n", (int)motion_frames, x[0].rays, wrong);
+    for (int k = 0; k < keepings; k++) kept_times(&x[k]);
+    motion_print(x, title, to);
+    for (int k = 0; k < keepings; k++) wrong += x[k].wrong, bvh_mesh_free(&x[k].tree);
+    html_note(to, "%d frames, %zu rays each: %zu wrong hits", (int)motion_frames, x[0].rays, wrong);
+    printf("\n");
     free(x), mesh_free(&rest), world_free(&w);
     return wrong == 0;
 }
 
-static inline bool regimes_run(const options *o, const line_up *chosen, size_t most_bytes,
-                               html_report *to)
+static inline bool regimes_run(const compare_settings *c)
 {
-    html_heading(to, "Regimes");
-    order_run(o, chosen, most_bytes, to);
-    return motion_run(o, to);
+    html_heading(c->to, "Regimes");
+    order_run(c);
+    return motion_run(c->o, c->to);
 }
 
 #endif

@@ -19,13 +19,6 @@
 #include "sweep.h"
 #include "torture_run.h"
 
-typedef struct {
-    table csv;
-    compare_summary summary;
-    html_report *html;
-    size_t proved, by_brute;
-} compare_results;
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Proves, and measures: all kinds of rays, or diffuse ones alone. */
@@ -37,52 +30,34 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
     compare_begin(s, w, &c->chosen, c->most_bytes, all && !quick ? 3 : 1);
     compare_rays(s, quick ? 144 : compare_usual_rays, c->o->seed);
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
-                               quick ? 200 : all ? 2400 : 400, c->o->seed, stdout));
+                               quick ? 200 : all ? 2400 : 400, c->o->seed, stdout), w->name);
     if (all) cost_measure(s, turns);
     else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 2);
 }
 
-/* A table of its own, and its part of all others. */
-static inline void compare_world(const compare_settings *c, const world *w, bool alone,
-                                 compare_results *r)
-{
-    comparison s;
-    char title[160];
-    compare_measure(c, &s, w, alone);
-    snprintf(title, sizeof title, "%.60s: %zu shapes; %zu rays proved equal, %zu by brute force",
-             w->name, world_size(w), s.proved, s.by_brute);
-    if (alone) cost_table(c->o, &s, title, r->html), printf("\n");
-    fflush(stdout);
-    cost_csv(&r->csv, &s);
-    summary_add(&r->summary, &s);
-    r->proved += s.proved, r->by_brute += s.by_brute;
-    compare_end(&s);
-}
-
 /* The visits of each pixel's ray; save: into the chapter's picture, too. */
-static inline void draw_visits(const compare_settings *c, const world *w, bool save,
-                               compare_results *r)
+static inline void draw_visits(const compare_settings *c, const world *w, bool save)
 {
     bool whole;
-    image im = visits_draw(c->o, w, &c->chosen, c->most_bytes, &whole);
-    html_picture(r->html, &im, "Steps and tests of each pixel's ray: black none, white a hundred");
+    image im = visits_draw(c, w, &whole);
+    html_picture(c->to, &im, "Steps and tests of each pixel's ray: black none, white a hundred");
     if (save) output_picture(c->o, &im, "17_compare_visits.png", false, whole);
     image_free(&im);
 }
 
-static inline void draw_pictures(const compare_settings *c, compare_results *r)
+static inline void draw_pictures(const compare_settings *c)
 {
     const options *o = c->o;
     world w;
     failure f;
     image im = image_new(o->width, o->height);
     bool whole = sheet_draw(o, &im);
-    html_picture(r->html, &im, "The scenes");
+    html_picture(c->to, &im, "The scenes");
     output_picture(o, &im, "17_compare.png", true, whole);
     image_free(&im);
     if (o->out) return;
     if (!scene_world(scene_find("teapot"), o->quick ? 3 : 12, &w, &f)) fail(f);
-    draw_visits(c, &w, true, r);
+    draw_visits(c, &w, true);
     world_free(&w);
     closed_draw(o);
 }
@@ -111,72 +86,78 @@ static inline bool world_wanted(const compare_settings *c, const compare_options
     return true;
 }
 
+/* One scene, and what is wanted of it: a table of its own, unless it is one of the few. */
+static inline void compare_scene(const compare_settings *c, const compare_options *own,
+                                 const world *w, measured_scenes *m)
+{
+    comparison s;
+    bool alone = c->o->full || own->scene || own->mesh[0];
+    if (own->files.rays) file_run(c, w, &own->files);
+    else if (own->verify) verify_world(c, w);
+    else {
+        compare_measure(c, &s, w, alone && !own->sweep);
+        if (own->sweep) sweep_run(&s, c->to);
+        else if (alone) cost_table(&s, c->to), printf("\n");
+        fflush(stdout);
+        measured_add(m, &s);
+        if (own->report && !own->sweep && (own->scene || own->mesh[0])) draw_visits(c, w, false);
+    }
+}
+
 /* What only all scenes together tell. */
 static inline void compare_all(const compare_settings *c, const compare_options *own,
-                               compare_results *r)
+                               const measured_scenes *m)
 {
-    const options *o = c->o;
     bool book = !own->scene && !own->mesh[0];
+    size_t proved = 0, by_brute = 0;
     char verdict[300];
+    for (const comparison *s = m->of; s < m->of + m->n; s++)
+        proved += s->proved, by_brute += s->by_brute;
     snprintf(verdict, sizeof verdict, "%zu rays were proved to have the same hits in all "
              "structures, %zu of them by brute force, before anything was timed. Each time is the "
              "median of several turns on one thread, each structure warmed before its turn.",
-             r->proved, r->by_brute);
-    html_heading(r->html, "Verdict");
-    html_element(r->html, "p", verdict);
-    if (book && !o->full) summary_few(o, &r->summary, r->html);
-    else if (book || r->html || own->mesh[1]) summary_print(o, &r->summary, r->html);
-    html_heading(r->html, "What a ray costs, and what building costs");
-    if (r->html) chart_write(&r->summary, html_file(r->html));
-    if (!book || !o->full) return;
+             proved, by_brute);
+    html_heading(c->to, "Verdict");
+    html_element(c->to, "p", verdict);
+    if (book && !c->o->full) summary_few(m, c->to);
+    else if (book || own->report || own->mesh[1]) summary_print(m, c->to);
+    chart_show(m, c->to);
+    if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);
-    html_heading(r->html, "Growth");
-    end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, r->html));
-    output_chart(o, &r->summary, "17_compare_time.svg");
-    end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r->html));
-    orders_run(o);
-}
-
-/* One scene, and what is wanted of it. */
-static inline void compare_scene(const compare_settings *c, const compare_options *own,
-                                 const world *w, bool book, compare_results *r)
-{
-    if (own->files.rays) file_run(c, w, &own->files);
-    else if (own->verify) verify_world(c, w);
-    else if (own->sweep) {
-        comparison s;
-        compare_measure(c, &s, w, false);
-        sweep_run(c->o, &s, r->html);
-        compare_end(&s);
-    } else {
-        compare_world(c, w, !book || c->o->full, r);
-        if (!book && r->html) draw_visits(c, w, false, r);
-    }
+    end_if_wrong(growth_run(c), "growth");
+    output_chart(c->o, m, "17_compare_time.svg");
+    end_if_wrong(regimes_run(c), "motion");
+    orders_run(c);
 }
 
 static inline void compare_run(const compare_settings *c, const compare_options *own)
 {
-    const options *o = c->o;
-    bool book = !own->scene && !own->mesh[0], only_picture = book && o->out;
-    bool measured = !own->files.rays && !own->verify && !own->sweep && !own->regimes;
+    bool book = !own->scene && !own->mesh[0], only_picture = book && c->o->out;
+    bool tables = !own->files.rays && !own->verify && !own->sweep && !own->regimes;
     world w;
-    compare_results r = {.csv = table_new("17_compare", cost_columns),
-                         .summary = {.chosen = &c->chosen}};
-    r.html = html_begin(own->report, "17 compare: acceleration structures, side by side");
-    if (own->regimes) end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r.html));
-    if (book && measured) draw_pictures(c, &r);
+    failure f;
+    measured_scenes m = {.chosen = &c->chosen};
+    if (own->regimes) end_if_wrong(regimes_run(c), "motion");
+    if (book && tables) draw_pictures(c);
+    if (tables && (c->o->full || !book))
+        html_element(c->to, "p", "B/shape: bytes a shape. inner: inner nodes; leaves: leaves or "
+                     "cells; empty: those with nothing in them. refs/shape: how often a shape is "
+                     "listed. nodes/ray, tests/ray: steps, and shapes tested. Times are of one "
+                     "ray: from the eye (primary), from a hit to a light (shadow), anywhere "
+                     "(diffuse), mirrored (mirror). wrong: a first version that loses hits.");
     for (int k = 0; k < scenes + most_meshes && !only_picture && !own->regimes; k++) {
         if (!world_wanted(c, own, k, &w)) continue;
-        compare_scene(c, own, &w, book, &r);
+        compare_scene(c, own, &w, &m);
         world_free(&w);
     }
-    if (measured && !only_picture) {
-        failure f;
-        compare_all(c, own, &r);
-        if (!output_csv(o, &r.csv, &f)) fail(f);  /* tables on the screen have other columns */
+    if (tables && !only_picture) {
+        table csv = table_new("17_compare", cost_columns);
+        compare_all(c, own, &m);
+        for (const comparison *s = m.of; s < m.of + m.n; s++) cost_csv(&csv, s);
+        if (!output_csv(c->o, &csv, &f)) fail(f);  /* tables on the screen have other columns */
+        table_free(&csv);
     }
-    table_free(&r.csv);
-    html_end(r.html);
+    measured_free(&m);
 }
 
 #endif

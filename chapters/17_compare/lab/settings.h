@@ -74,9 +74,8 @@ static inline void check_options(const options *o, const compare_options *own)
     const generator *g = own->scene ? scene_find(own->scene) : NULL;
     bool view = own->from || own->at || own->angle > 0 || own->up, rays = own->files.rays;
     if (own->scene && !g) {
-        char all[128] = "";
-        for (int k = 0; k < scenes; k++)
-            snprintf(all + strlen(all), sizeof all - strlen(all), " %s", scene_list[k].name);
+        char all[512] = "";
+        for (int k = 0; k < scenes; k++) names_add(all, scene_list[k].name);
         die(2, "--scene %.100s: allowed are%s", own->scene, all);
     }
     if (g && own->scale >= 0 && (own->scale < g->least || own->scale > g->most))
@@ -86,10 +85,10 @@ static inline void check_options(const options *o, const compare_options *own)
         die(2, "--protocol %.100s: allowed is spd", own->protocol);
     if (own->up && strcmp(own->up, "y") != 0 && strcmp(own->up, "z") != 0)
         die(2, "--up %.20s: allowed are y and z", own->up);
-    bool measured = !own->verify && !own->protocol && !rays;
+    bool timed = !own->verify && !own->protocol && !rays;
     bool spd = !own->mesh[0] && !rays && !own->verify && !own->sweep
                && (!g || generator_find(spd_list, spd_scenes, g->name));
-    bool other = own->scene || own->mesh[0] || !measured || own->sweep || own->torture || o->out
+    bool other = own->scene || own->mesh[0] || !timed || own->sweep || own->torture || o->out
                  || o->csv;
     const struct { bool wrong; const char *says; } rules[] = {
         {own->scene && own->mesh[0], "--scene and --mesh: one of them"},
@@ -101,18 +100,18 @@ static inline void check_options(const options *o, const compare_options *own)
          "--hits, --costs and --any-hit need --rays FILE"},
         {rays && own->verify, "--rays and --verify: one of them"},
         {rays && own->mesh[1], "--rays goes with one --mesh"},
-        {own->sweep && (own->only || !measured), "--sweep goes with tables, and not with --only"},
+        {own->sweep && (own->only || !timed), "--sweep goes with tables, and not with --only"},
         {own->score && !own->torture, "--score needs --torture FOLDER"},
-        {own->torture && (own->scene || own->mesh[0] || !measured || own->sweep || own->report
+        {own->torture && (own->scene || own->mesh[0] || !timed || own->sweep || own->report
                           || o->out), "--torture has meshes and rays of its own"},
         {own->regimes && other, "--regimes has scenes of its own"},
         {own->orders && (other || own->regimes || own->only || own->report),
          "--orders has scenes and structures of its own"},
         {o->csv && (own->verify || own->protocol || own->sweep),
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},
-        {own->report && !measured, "--report goes with what is measured: not with --verify, "
+        {own->report && !timed, "--report goes with what is measured: not with --verify, "
                                    "--protocol, --rays"},
-        {o->out && (own->scene || own->mesh[0] || !measured || own->sweep || own->report),
+        {o->out && (own->scene || own->mesh[0] || !timed || own->sweep || own->report),
          "--out is for the picture of all scenes: it goes with no other work"},
         {o->out && o->csv, "--out draws, --csv measures: one of them"}};
     for (size_t k = 0; k < sizeof rules / sizeof *rules; k++)

@@ -79,13 +79,7 @@ static inline size_t torture_read(const char *folder, const char *who, const tor
     size_t n;
     ray *r = rays_read(torture_path(folder, k, "rays"), &n, &f);
     if (!r) fail(f);
-    bool same_rays = n == t->n;
-    for (size_t i = 0; same_rays && i < n; i++) {
-        const ray *a = &r[i], *b = &t->r[i];
-        same_rays = vdot(a->d, b->d) == vdot(b->d, b->d) && vlength(vsub(a->o, b->o)) == 0
-                    && a->tmin == b->tmin && a->tmax == b->tmax;
-    }
-    if (!same_rays)
+    if (n != t->n || memcmp(r, t->r, n * sizeof *r) != 0)  /* floats, there and here */
         die(2, "%s: not the rays of this seed and count: write them again, by --torture alone",
             torture_path(folder, k, "rays"));
     snprintf(ending, sizeof ending, "%.100s.hits", who);
@@ -117,6 +111,7 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
 
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
+    failure f;
     size_t faults = 0;
     torture_score score[compare_most] = {{0, 0}};
     table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
@@ -126,13 +121,15 @@ static inline void torture_run(const compare_settings *c, const char *folder, co
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
     for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
     compare_progress("torture", NULL, NULL);
-    if (folder) output_table(c->o, &out);
-    else output_extra_table(c->o, &out);
+    bool saved = !folder || output_csv(c->o, &out, &f);
+    html_heading(c->to, "Torture");
+    html_table(c->to, &out);
+    if (!saved) fail(f);
     for (int j = 0; j < (who ? 1 : c->chosen.n); j++) {
         const compare_choice *p = &c->chosen.of[j];
         if (who || score[j].wrong)
-            printf("# %s: %zu wrong; its t are off by up to %.3g roundings of a float\n",
-                   who ? who : p->label, score[j].wrong, score[j].error);
+            html_note(c->to, "%s: %zu wrong; its t are off by up to %.3g roundings of a float",
+                      who ? who : p->label, score[j].wrong, score[j].error);
         faults += who || !contender_is_first(p->c) ? score[j].wrong : 0;
     }
     printf("\n");
