@@ -44,6 +44,7 @@ static void random_keys(random_stream *r, writing *w)
     if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "d %g\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
+    if (chance(r, 0.3)) say(w, "priority %d\n", (int)some(r, 0, 3));
     if (chance(r, 0.1)) say(w, "Ke %g\n", chance(r, 0.2) ? 0 : some(r, 0, 5));
 }
 
@@ -342,7 +343,7 @@ static bool noticed(const plan_rule *rules)
 {
     char *text = allocate(proof_room, 1);
     bool found = false;
-    for (size_t i = 0; i < 1500 && !found; i++) {
+    for (size_t i = 0; i < 4000 && !found; i++) {
         proof q;
         bool by_chance;
         if (!proof_begin(&q, i, text)) continue;

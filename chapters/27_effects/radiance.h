@@ -21,7 +21,6 @@
 #ifndef EFFECTS_RADIANCE_H
 #define EFFECTS_RADIANCE_H
 
-#include "bodies.h"
 #include "gather.h"
 #include "../../common/headlight.h"
 #include "../26_path_tracer/roulette.h"
@@ -192,12 +191,12 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
     h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
-    bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
+    bool bends = body && stage_bends(e, a, body, inside, to);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         if (b->passed == stage_most_depth) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
-        effects_straight_on(&h, child);
+        if (!bends) effects_straight_on(&h, child);
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
