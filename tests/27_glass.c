@@ -1,6 +1,6 @@
-/* Tests of chapters/27_effects: bodies that overlap, and light within them.
+/* Tests of chapters/27_effects: bodies that overlap, light within them, and rough glass.
  *
- * Oracles: Beer's law and Snell's by hand, 19's tree of rays, quadratures.
+ * Oracles: Beer's law and Snell's by hand, 19's tree of rays, 26's paths, quadratures.
  */
 static char directory[] = "/tmp/27_glass_XXXXXX";
 #include "27_seen.h"
@@ -151,7 +151,7 @@ static double under_fog(double x)
 
 #define FOG "camera from 0 3 0 at 0 0 0 up 0 0 1\nenvironment 1\nmaterial floor\nKd 0.5\n"        \
     "illum 1\npolygon -60 0 60  60 0 60  60 0 -60  -60 0 -60\nmaterial fog\nKd 0\nTf 0.5\n"       \
-    "illum 6\nabsorb 0.4 0.8 0\nbox -50 0 -50  50 0.5 50\n"
+    "illum 6\nabsorb 0.4 0.8 0\n"
 
 static void test_within(void)
 {
@@ -173,10 +173,154 @@ static void test_within(void)
     #define HIDDEN "material glass\nKd 0\nNi 1.5\nabsorb 3\npriority 1\nillum 7\n"
     expect("past a body that the water hides", LOOKS DEEP SQUARE HIDDEN "sphere 0 1 0 0.4\n",
            square, 1e7, lamps | EFFECT_INDIRECT);
-    expect("fog on the floor", FOG, fog, 3e6, sky);
-    expect("by paths, too", FOG, fog, 3e6, sky | EFFECT_INDIRECT);
-    expect("a part of it said twice", FOG "box -1 0.1 -1  1 0.4 1\n", fog, 3e6,
-           sky | EFFECT_INDIRECT);
+    const double gap[] = {0, 200, 400, 800, -200, -400, -800};
+    for (size_t k = 0; k < sizeof gap / sizeof *gap; k++) {  /* none, to within rounding */
+        char text[700];
+        snprintf(text, sizeof text, FOG "box -50 %.17g -50  50 0.5 50\nbox -1 0.1 -1  1 0.4 1\n",
+                 gap[k] * (double)real_epsilon);
+        expect("fog on the floor, a part of it said twice", text, fog, 3e6, sky);
+        expect("by paths, too", text, fog, 3e6, sky | EFFECT_INDIRECT);
+    }
+}
+
+/* ---- rough glass (27_radiance: in 26's room) ---- */
+
+#define FROSTED "material frosted\nKd 0\nNi 1.5\nillum 7\n"
+#define GREY_SKY "camera from 0 0 6 at 0 0 0 angle 25\nenvironment 0.2 0.4 0.6  1 0.8 0.3\n"
+
+/* The mean along a ray, by the dice of that seed. */
+static estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
+{
+    effects_function *f = effects_made_for(q->e.mask);
+    media_set in = bodies_around(&q->e, r.o);
+    effects_counts c = {.lost = 0};
+    estimate m = {0};
+    size_t bad = 0;
+    for (size_t i = 0; i < n; i++) {
+        dice d = dice_start(seed, i, 0);
+        vec3 L = f(&q->e, r, in, &d, &c);
+        bad += !(vfinite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
+        m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
+    }
+    check_equal(bad, 0, "of %zu, those that are no light", n);
+    return m;
+}
+
+/* The probability that two means of the same light are so far apart. */
+static double likely_alike(estimate x, estimate y)
+{
+    double a = estimate_error(x), b = estimate_error(y), error = sqrt(a * a + b * b);
+    double off = fabs(x.mean - y.mean) - 4096 * (double)real_epsilon;
+    return off <= 0 ? 1 : error > 0 ? erfc(off / error / sqrt(2.)) : 0;
+}
+
+/* Two scenes have the same light along rays of the first's picture. False alarms: 1e-8 each. */
+static void test_alike(const char *what, const char *one, const char *other)
+{
+    set a, b;
+    size_t n = check_count(3000);
+    double worst = 1;
+    set_up(&a, one), set_up(&b, other);
+    effects_stage_effects(&a.e, a.p.effects | EFFECTS_DICED);
+    effects_stage_effects(&b.e, b.p.effects | EFFECTS_DICED);
+    for (int i = 0; i < 8 * 6; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % 8) + (real)0.4, (real)(i / 8) + (real)0.3, 8, 6);
+        estimate x = mean_along(&a, r, 5, n), y = mean_along(&b, r, 6, n);
+        double likely = likely_alike(x, y);
+        if (!(likely >= worst)) worst = likely;
+    }
+    check_at_least(worst, 1e-8, "%s: least p of 48 rays", what);
+    tear_down(&a), tear_down(&b);
+}
+
+/* 26's, of all that shines of a scene a white background. */
+static estimate mean_of_26(const set *q, ray r, size_t n)
+{
+    lit_scene lit;
+    path_tracer t;
+    path_counts c = {0};
+    estimate m = {0};
+    classic_lit(&q->s, &lit);
+    lit.background = (vec3){1, 1, 1};
+    path_tracer_of(&lit, NULL, path_defaults, &t);
+    for (size_t i = 0; i < n; i++) {
+        path_random own = path_start(&t.how, 8, i, 0, 1);
+        m = estimate_add(m, (double)path_radiance(&t, r, &own, &c).x);
+    }
+    path_tracer_free(&t), lit_free(&lit);
+    return m;
+}
+
+/* In white light nothing is won, and what facets hide is lost: of each face at most some alpha, and
+ * as much as in 26. From within it is the same. */
+static void test_furnace(void)
+{
+    static const double rough[] = {0.5, 0.2, 0.05, 1e-3, 1e-6};
+    double before = 0;
+    for (size_t k = 0; k < sizeof rough / sizeof *rough; k++) {
+        char text[400];
+        set q;
+        snprintf(text, sizeof text, "camera from 0 0 6 at 0 0 0\nbackground 1\n" FROSTED
+                 "roughness %g\nsphere 0 0 0 1\n", rough[k]);
+        set_up(&q, text);
+        for (int j = 0; j < 5; j++) {  /* head on, aside, along its edge, and from within */
+            const real y[5] = {0, 0.6, 0.99, 1 - 1e-6, 0.5};
+            ray r = ray_from((vec3){0, y[j], j < 4 ? 5 : 0}, (vec3){0, 0, -1});
+            estimate e = mean_along(&q, r, 7, check_count(4000));
+            double error = 6 * estimate_error(e) + 100 * (double)real_epsilon;
+            check_at_most(e.mean, 1 + error, "light is won, roughness %g, ray %d", rough[k], j);
+            if (j < 4)  /* false alarms: 1e-8 each */
+                check_at_least(likely_alike(e, mean_of_26(&q, r, check_count(4000))), 1e-8,
+                               "as much as 26: %g, roughness %g, ray %d", e.mean, rough[k], j);
+            if (j != 0 && j != 4) continue;
+            check_at_least(e.mean, 1 - rough[k] - error, "little is lost, ray %d", j);
+            check(j || e.mean >= before - error, "the less the smoother: %g, %g", before, e.mean);
+            if (j == 0) before = e.mean;
+        }
+        tear_down(&q);
+    }
+}
+
+/* Without `glossy` rough glass is smooth, to the last bit; and so is glass of hardly any roughness,
+ * but for the numbers. */
+static void test_smooth(void)
+{
+    set a, b;
+    size_t off = 0;
+    set_up(&a, GREY_SKY FROSTED "roughness 0.3\nsphere 0 0 0 1\n");
+    set_up(&b, GREY_SKY FROSTED "sphere 0 0 0 1\n");
+    effects_stage_effects(&a.e, EFFECT_MIRROR | EFFECT_REFRACTION);
+    effects_stage_effects(&b.e, EFFECT_MIRROR | EFFECT_REFRACTION);
+    for (int i = 0; i < 40 * 30; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % 40), (real)(i / 40), 40, 30);
+        vec3 x = seen_along(&a, r), y = seen_along(&b, r);
+        off += memcmp(&x, &y, sizeof x) != 0;
+    }
+    check_equal(off, 0, "rays that are not smooth");
+    tear_down(&a), tear_down(&b);
+    test_alike("roughness 1e-6", GREY_SKY FROSTED "roughness 1e-6\nsphere 0 0 0 1\n",
+               GREY_SKY FROSTED "sphere 0 0 0 1\n");
+    test_alike("of coloured glass in a dense ball",
+               GREY_SKY FROSTED "roughness 1e-6\nTf 0.9 0.5 0.3\nsphere 0.2 0 0 0.6\n"
+               "material dense\nNi 2\nTf 1\nKd 0\nillum 7\nsphere 0 0 0 1\n",
+               GREY_SKY FROSTED "Tf 0.9 0.5 0.3\nsphere 0.2 0 0 0.6\n"
+               "material dense\nNi 2\nTf 1\nKd 0\nillum 7\nsphere 0 0 0 1\n");
+}
+
+/* Two walls at one place: the rough one, whichever is met first. Into its glass, or up to it. A
+ * rough boundary of two equal indices is none. */
+static void test_rough_contact(void)
+{
+    #define ROUGH "material rough\nKd 0\nNi 2.4\nroughness 0.6\nabsorb 1 2 4\nillum 7\n"            \
+        "priority 1\nbox -1 -1 -0.6  1 1 0\n"
+    #define ASIDE "camera from 3 2 5 at 0 0 0 angle 15\nenvironment 0 0 0  1 1 1\n"
+    test_alike("rough or smooth first", ASIDE ROUGH WATER "box -1 -1 0  1 1 0.5\n",
+               ASIDE WATER "box -1 -1 0  1 1 0.5\n" ROUGH);
+    test_alike("water let into it", ASIDE ROUGH WATER "box -1 -1 0  1 1 0.5\n",
+               ASIDE WATER "box -1 -1 -0.2  1 1 0.5\n" ROUGH);
+    test_alike("frosted water in water", GREY_SKY WATER "sphere 0 0 0 1\n",
+               GREY_SKY WATER "sphere 0 0 0 1\nmaterial ice\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\n"
+               "roughness 0.5\nillum 7\nsphere 0.1 0.2 0 0.5\n");
 }
 
 int main(void)
@@ -185,5 +329,8 @@ int main(void)
     test_priorities();
     test_whitted();
     test_within();
+    test_furnace();
+    test_smooth();
+    test_rough_contact();
     return check_report("27_glass");
 }

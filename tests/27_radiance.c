@@ -117,16 +117,15 @@ static void test_touching(const char *text)
  * the lamp, from wall to wall: its back, which shines here and not in 26, sees nothing. In the
  * room: a glass ball that absorbs, and a mirror: a white one, since brdf_mirror follows Schlick's
  * Fresnel, and 27's illum 3 reflects the same at every angle. */
-static void test_paths(void)
+static void test_paths(const char *text, unsigned effects)
 {
     set q;
     lit_scene lit;
     path_tracer t;
-    set_up(&q, tax_room);
+    set_up(&q, text);
     classic_lit(&q.s, &lit);
     path_tracer_of(&lit, NULL, path_defaults, &t);
-    check(q.p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),
-          "the room calls for %x", q.p.effects);
+    check(q.p.effects == effects, "the room calls for %x", q.p.effects);
     size_t n = check_count(6000);
     double worst = 1;
     for (int i = 0; i < 8 * 6; i++) {  /* a ray each, some through glass and mirror */
@@ -406,7 +405,11 @@ int main(void)
     test_classic(true);
     test_touching(ABOVE UNDER BLOCKS);
     test_touching(ABOVE BLOCKS UNDER);
-    test_paths();
+    test_paths(tax_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED);
+    char rough[2000];
+    snprintf(rough, sizeof rough, "%smaterial frosted\nKd 0\nNi 1.5\nroughness 0.3\nillum 7\n"
+             "absorb 1 0.2 0.5\nsphere -0.5 0.4 1 0.4\nbox 0.1 0.5 1.2  0.9 1.1 1.4\n", tax_room);
+    test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_GLOSSY | EFFECTS_WHITTED);
     test_bodies();
     test_blocks();
     test_contacts();

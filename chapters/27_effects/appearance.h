@@ -12,11 +12,13 @@
  *   9         d Kd           Ks         -                 (1-d) (1-Ks) Tf, straight
  *   6         (1-Tf) Kd      -          Ks                (1-Ks) Tf, bent by Ni
  *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni; Tf 0: F0 of Ni, as 5
+ *             roughness   -                 by facets (23): 1 F       Tf (1 - F), bent by Ni
  *   not said  as 2; if d < 1, as 9
  *   NFF       Kd rgb         Ks rgb     Ks rgb, mirror    T, bent by ior
  *
  * Ns says which: 1000 and more, or none: a mirror; else glossy, a lobe (23.13) of that exponent, as
- * highlights are. Colours are albedos. No channel may give back more than it gets: where matte +
+ * highlights are. Glass with a roughness is all facets, each smooth glass: Ns and Kd say nothing.
+ * Colours are albedos. No channel may give back more than it gets: where matte +
  * reflected + through (with fresnel: matte + through) exceeds 1, all are divided by the sum,
  * excess.
  */
@@ -29,6 +31,7 @@ typedef struct {
     vec3 flat, matte, highlight, mirror, glossy, through, emits;
     vec3 absorb;                 /* per unit of length */
     real exponent, ior;
+    real rough;                  /* alpha of rough_glass.h: `mirror` and `through` are of facets */
     bool fresnel, bends, solid;
     real excess;                 /* > 1: colours were divided by it */
 } appearance;
@@ -105,6 +108,10 @@ static inline appearance appearance_of(const studio_material *m)
         a.matte = vmul(kd, vrest(m->tf));
         a.through = illum == 6 ? vmul(m->tf, vrest(m->ks)) : m->tf;
         a.bends = m->ni != 1, a.solid = true, a.absorb = m->absorb;
+    }
+    if (illum == 7 && m->ni != 1 && m->roughness > 0 && !vzero(a.through)) {
+        a.rough = m->roughness, a.matte = a.glossy = (vec3){0, 0, 0};
+        a.mirror = (vec3){1, 1, 1};
     }
     a.fresnel = (illum == 5 || illum == 7) && !(vzero(a.mirror) && vzero(a.glossy));
     appearance_limit(&a);

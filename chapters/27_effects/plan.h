@@ -88,7 +88,7 @@ static const plan_rule plan_rules[] = {
     {EFFECT_MIRROR, VERDICT_CANNOT, "no mirror", rule_no_mirror,
      "no material in use reflects sharply (illum 3 to 7 with Ns 1000 or none; NFF: Ks)"},
     {EFFECT_GLOSSY, VERDICT_CANNOT, "no lobe", rule_no_lobe,
-     "no material in use reflects in a lobe (illum 3 to 7 with Ns below 1000)"},
+     "no material in use reflects in a lobe (illum 3 to 7 with Ns below 1000; roughness)"},
     {EFFECT_REFRACTION, VERDICT_CANNOT, "opaque", rule_opaque,
      "no material in use lets light through (illum 6, 7; 4, 9 with d below 1; NFF: T)"},
     {EFFECT_ABSORPTION, VERDICT_CANNOT, "clear", rule_clear,
@@ -160,6 +160,14 @@ static inline plan_words plan_name(const plan_facts *q, plan_group g, material_k
     return w;
 }
 
+/* Of a part; glass that is rough says so, and not Ns. */
+static inline plan_words plan_part_name(const plan_facts *q, plan_part part, material_key key)
+{
+    plan_group g = q->has[part];
+    bool rough = part == PART_GLOSSY && q->look[g.first].rough > 0;
+    return plan_name(q, g, rough ? KEY_ROUGHNESS : key);
+}
+
 /* What calls for light that reaches a surface: the light, and the first surface. */
 static inline void plan_because_light(plan *p, const plan_facts *q)
 {
@@ -188,8 +196,7 @@ static inline void plan_because(plan *p, const plan_facts *q)
     if (p->effects & EFFECTS_LIT) plan_because_light(p, q);
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         if (p->effects >> list[k].kind & 1)
-            plan_says(p, list[k].kind, "%s",
-                      plan_name(q, q->has[list[k].part], list[k].key).text);
+            plan_says(p, list[k].kind, "%s", plan_part_name(q, list[k].part, list[k].key).text);
     if (p->effects & EFFECT_INDIRECT) {
         bool lit = q->lights > 0, lamp = q->s->emitters > 0;
         plan_says(p, RAY_SCATTERED, "%s, lit by%s%s%s%s%s",

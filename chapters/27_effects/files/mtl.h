@@ -1,9 +1,9 @@
 /* mtl.h: reads materials from Wavefront MTL files (材质库).
  *
  *   newmtl NAME; Kd Ks Ke Tf r [g b]; Ns x; Ni x; d x, d -halo x, Tr x: d = 1 - x; illum n;
- *   our own: absorb r [g b], absorbed inside, per unit of length; priority n, of what overlaps.
- *   What they mean: appearance.h. Ka is checked and dropped, Ni 0 is taken as 1, all else is
- *   skipped; textures are named in a note.
+ *   our own: absorb r [g b], absorbed inside, per unit of length; priority n, of what overlaps;
+ *   roughness x, of glass. What they mean: appearance.h. Ka is checked and dropped, Ni 0 is taken
+ *   as 1, all else is skipped; textures are named in a note.
  *
  *   if (!mtl_read(&s, "a.mtl", &library, &f)) ...   s.library[library]; a file is read only once
  *   mtl_key(&s, &t, m, cite, &known)                 one such line for material m: scene files, too
@@ -22,7 +22,8 @@
 
 enum { mtl_ka = material_keys, mtl_tr, mtl_keys };  /* keywords that set no number of their own */
 static const char *const mtl_key_names[mtl_keys] = {
-    "Kd", "Ks", "Ke", "Tf", "absorb", "Ns", "Ni", "d", "illum", "priority", "Ka", "Tr"};
+    "Kd", "Ks", "Ke", "Tf", "absorb", "Ns", "Ni", "d", "illum", "roughness", "priority",
+    "Ka", "Tr"};
 
 static inline bool mtl_skip(text_reader *t)
 {
@@ -57,6 +58,7 @@ static inline bool mtl_number(text_reader *t, studio *s, studio_material *m, int
     real n = 0;
     switch (key) {
     case KEY_NS: return word_number(t, &m->ns, 0, 1e9);
+    case KEY_ROUGHNESS: return word_number(t, &m->roughness, 0, 1);
     case KEY_D: return word_take(t, "-halo"), word_number(t, &m->d, 0, 1);
     case mtl_tr:
         if (!word_number(t, &n, 0, 1)) return false;
