@@ -76,7 +76,7 @@ static void test_appearance(void)
               (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
               (double)a.glossy.x, (double)a.through.x);
     }
-    check(look_of("illum 7\nNi 2\nroughness .5").rough == (real)0.5, "rough");
+    check(look_of("illum 7\nNi 2\nroughness .5").rough == (real)0.25, "alpha, of roughness");
     check(look_of("Ks .5\nillum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
     check(!look_of("Ks 1\nillum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
     check(!look_of("Ks 0\nillum 5").fresnel, "black reflects nothing, at no angle");

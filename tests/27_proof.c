@@ -44,7 +44,7 @@ static void random_keys(random_stream *r, writing *w)
     if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "d %g\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
-    if (chance(r, 0.15)) say(w, "illum 7\nNi 1.4\nTf 0.9\nroughness %g\n", some(r, 0, 0.5));
+    if (chance(r, 0.15)) say(w, "illum 7\nNi 1.4\nTf 0.9\nroughness %g\n", some(r, 0, 0.8));
     if (chance(r, 0.3)) say(w, "priority %d\n", (int)some(r, 0, 3));
     if (chance(r, 0.1)) say(w, "Ke %g\n", chance(r, 0.2) ? 0 : some(r, 0, 5));
 }

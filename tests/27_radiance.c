@@ -407,7 +407,7 @@ int main(void)
     test_touching(ABOVE BLOCKS UNDER);
     test_paths(tax_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED);
     char rough[2000];
-    snprintf(rough, sizeof rough, "%smaterial frosted\nKd 0\nNi 1.5\nroughness 0.3\nillum 7\n"
+    snprintf(rough, sizeof rough, "%smaterial frosted\nKd 0\nNi 1.5\nroughness 0.55\nillum 7\n"
              "absorb 1 0.2 0.5\nsphere -0.5 0.4 1 0.4\nbox 0.1 0.5 1.2  0.9 1.1 1.4\n", tax_room);
     test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_GLOSSY | EFFECTS_WHITTED);
     test_bodies();

@@ -30,7 +30,7 @@ static const struct { const char *name, *keys; } material_list[] = {
     {"glass", "Kd 0\nTf 1\nNi 1.5\nillum 7"}, {"water", "Kd 0\nTf 1\nNi 1.33\nillum 7"},
     {"diamond", "Kd 0\nTf 1\nNi 2.42\nillum 7"},
     {"bottle", "Kd 0\nTf 1\nNi 1.5\nabsorb 1.2 0.2 0.9\nillum 7"},
-    {"frosted", "Kd 0\nTf 1\nNi 1.5\nroughness 0.2\nillum 7"}, {"lamp", "Ke 3"},
+    {"frosted", "Kd 0\nTf 1\nNi 1.5\nroughness 0.4\nillum 7"}, {"lamp", "Ke 3"},
     {"panel", "Ke 1"}};
 
 static inline const char *material_listed(const char *name)
