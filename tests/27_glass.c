@@ -311,7 +311,7 @@ static void test_smooth(void)
  * rough boundary of two equal indices is none. */
 static void test_rough_contact(void)
 {
-    #define ROUGH "material rough\nKd 0\nNi 2.4\nroughness 0.8\nabsorb 1 2 4\nillum 7\n"            \
+    #define ROUGH "material rough\nKd 0\nNi 2.4\nroughness 0.8\nabsorb 1 2 4\nillum 7\n"           \
         "priority 1\nbox -1 -1 -0.6  1 1 0\n"
     #define ASIDE "camera from 3 2 5 at 0 0 0 angle 15\nenvironment 0 0 0  1 1 1\n"
     test_alike("rough or smooth first", ASIDE ROUGH WATER "box -1 -1 0  1 1 0.5\n",
