@@ -61,7 +61,7 @@ PLAN_RULE(rule_no_lobe, !q->has[PART_GLOSSY].n, no_line)
 PLAN_RULE(rule_opaque, !q->has[PART_THROUGH].n, no_line)
 PLAN_RULE(rule_clear, !q->has[PART_ABSORB].n, no_line)
 PLAN_RULE(rule_nothing_matte, !q->has[PART_MATTE].n, no_line)
-PLAN_RULE(rule_dark, !q->lights && !q->s->emitters && !q->around, no_line)
+PLAN_RULE(rule_dark, studio_dark(q->s), no_line)
 PLAN_RULE(rule_one_plane, q->flat, no_line)
 PLAN_RULE(rule_said_off, q->s->indirect == INDIRECT_OFF, q->s->indirect_said)
 PLAN_RULE(rule_direct_formats, q->direct_only,
@@ -72,18 +72,18 @@ PLAN_RULE(rule_pinhole, !(q->s->lens.radius > 0), q->s->lens.said)
 PLAN_RULE(rule_nothing_seen, !q->s->shapes && !q->s->solids && !q->s->places
                                  && q->s->sky.kind <= SKY_CONSTANT, no_line)
 
+#define plan_unlit "no material in use is lit: none is matte, glossy, or has a highlight"
+
 /* The whole plan. A proof, in the second column, is one that a reader can check in a line. */
 static const plan_rule plan_rules[] = {
     {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "no light", rule_no_light, "no point light and no sun"},
     {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "black light", rule_black_light,
      "no point light and no sun that is not black"},
-    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
-     "no material in use is lit: none is matte, glossy, or has a highlight"},
+    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit, plan_unlit},
 
     {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "no lamp", rule_no_lamp,
      "nothing in use emits light (Ke)"},
-    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
-     "no material in use is lit: none is matte, glossy, or has a highlight"},
+    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit, plan_unlit},
 
     {EFFECT_MIRROR, VERDICT_CANNOT, "no mirror", rule_no_mirror,
      "no material in use reflects sharply (illum 3 to 7 with Ns 1000 or none; NFF: Ks)"},
