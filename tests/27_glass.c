@@ -111,8 +111,8 @@ static void test_whitted(void)
     }
     check_at_most((double)off, (sizeof(real) == 4 ? 0.02 : 1e-3) * (double)rays,
                   "of %zu rays, those that are not 19's", rays);
-    check_at_least((double)inside, 0.01 * (double)rays, "begun in two bodies");
-    check_at_least((double)moved, 0.05 * (double)rays, "without priorities: another picture");
+    check_at_least((double)inside, 0.005 * (double)rays, "begun in two bodies");
+    check_at_least((double)moved, 0.02 * (double)rays, "without priorities: another picture");
 }
 
 /* ---- light within a body ---- */
