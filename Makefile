@@ -46,8 +46,8 @@ LIGHT = 01_ray 01_wide 02_camera 02_first 03_sphere 05_first 06_first 07_first 0
   08_object_order 09_first 13_painter 14_files 15_first 17_compare 17_first 17_spd 18_first 18_leave 18_shade \
   19_first 19_optics 19_pixel 19_spd 19_whitted 20_first 20_sequences 20_statistics 21_distributed 21_first \
   21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
-  25_bounces 25_first 25_transport 26_first 26_light_tracer 26_path_tracer 26_state 27_corpus 27_first 27_plan \
-  27_proof 27_radiance 27_readers 27_tree figure label output
+  25_bounces 25_first 25_transport 26_first 26_light_tracer 26_path_tracer 26_state 27_corpus 27_first 27_glass \
+  27_plan 27_proof 27_radiance 27_readers 27_tree figure label output
 LIGHT_MAINS = 15_wide_bvh 17_compare 18_shade 19_whitted 27_effects
 endif
 CFLAGS ?= -O2 $(NATIVE)
@@ -158,6 +158,7 @@ images: full
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
 	  --out images/27_effects_demo.png
+	$(BUILD)/27_effects chapters/27_effects/scenes/drink.scene --samples 256 --out images/27_effects_drink.png
 
 # The scene's teapot is finer than the one in 07's scenes/: 07 writes it, to where the scene looks for it.
 showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects

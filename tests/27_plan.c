@@ -60,6 +60,8 @@ static void test_appearance(void)
             {"Kd .5\nKs .25\nillum 7\nTf .5\nNi 1.5", 0, .25, 0, 1, 0, .5},
             {"Kd .5\nKs .25\nillum 7\nTf .5", 0, .25, 0, 0, 0, .5},
             {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 3\nNs 9", 0, .5, 0, 0, .25, 0},  /* (2/4)^2 */
+            {"Kd .5\nKs .25\nNs 9\nillum 7\nTf .5\nNi 2\nroughness .5", 0, 0, 0, 1, 0, .5},
+            {"Kd .5\nillum 7\nTf .5\nNi 2\nroughness 0", 0, .25, 0, 1, 0, .5},
             {"Kd .5\nKs .25\nNs 9", 0, .5, .25, 0, 0, 0},
             {"Kd .5\nd .5", 0, .25, 0, 0, 0, .5},
             {"Kd .5\nd .5\nillum 2", 0, .5, 0, 0, 0, 0},
@@ -74,6 +76,7 @@ static void test_appearance(void)
               (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
               (double)a.glossy.x, (double)a.through.x);
     }
+    check(look_of("illum 7\nNi 2\nroughness .5").rough == (real)0.25, "alpha, of roughness");
     check(look_of("Ks .5\nillum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
     check(!look_of("Ks 1\nillum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
     check(!look_of("Ks 0\nillum 5").fresnel, "black reflects nothing, at no angle");
@@ -161,6 +164,10 @@ static void test_effects(void)
         {BALL("Kd 0\nKs 1\nNs 50\nillum 3") SKY, G | E, INTEGRATOR_PATHS},
         {BALL("Kd 0\nNi 1.5\nillum 6"), R, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nNi 1.5\nillum 7"), R | M, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1"), R | G, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") POINT, R | G, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") LAMP, R | G, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness 0"), R | M, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nillum 7"), R, INTEGRATOR_WHITTED},             /* Ni 1 reflects nothing */
         {BALL("Kd 0\nNi 1.5\nabsorb 1 0 0\nillum 6"), R | A, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nd .5\nabsorb 1 0 0\nillum 4"), R, INTEGRATOR_WHITTED},

@@ -44,6 +44,8 @@ static void random_keys(random_stream *r, writing *w)
     if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "d %g\n", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
+    if (chance(r, 0.15)) say(w, "illum 7\nNi 1.4\nTf 0.9\nroughness %g\n", some(r, 0, 0.8));
+    if (chance(r, 0.3)) say(w, "priority %d\n", (int)some(r, 0, 3));
     if (chance(r, 0.1)) say(w, "Ke %g\n", chance(r, 0.2) ? 0 : some(r, 0, 5));
 }
 
@@ -321,6 +323,14 @@ static bool looks_at_first_material(const plan_facts *q, cite *line)
     return true;
 }
 
+static bool forgets_rough_glass(const plan_facts *q, cite *line)
+{
+    (void)line;
+    for (uint32_t m = 0; m < q->s->materials; m++)
+        if (q->s->material[m].used && !vzero(q->look[m].glossy)) return false;
+    return true;
+}
+
 static const struct {
     const char *rule;
     unsigned effect;
@@ -334,7 +344,8 @@ static const struct {
         {"no lamp", EFFECT_SOFT_SHADOWS, forgets_meshes},
         {"dark", EFFECT_INDIRECT, forgets_points}, {"dark", EFFECT_INDIRECT, forgets_the_sky},
         {"one plane", EFFECT_INDIRECT, sees_polygons_alone},
-        {"no mirror", EFFECT_MIRROR, looks_at_first_material}};
+        {"no mirror", EFFECT_MIRROR, looks_at_first_material},
+        {"no lobe", EFFECT_GLOSSY, forgets_rough_glass}};
 
 /* Among so many scenes there is one that refutes the plan by this table; NULL: that refutes a stage
  * which looks for neighbours of glass nowhere. */
@@ -342,7 +353,7 @@ static bool noticed(const plan_rule *rules)
 {
     char *text = allocate(proof_room, 1);
     bool found = false;
-    for (size_t i = 0; i < 1500 && !found; i++) {
+    for (size_t i = 0; i < 20000 && !found; i++) {
         proof q;
         bool by_chance;
         if (!proof_begin(&q, i, text)) continue;

@@ -3,31 +3,7 @@
  * plan's picture is that of everything.)
  */
 static char directory[] = "/tmp/27_radiance_XXXXXX";
-#include "27_files.h"
-#include "../chapters/27_effects/lab/tax.h"
-#include "../chapters/20_monte_carlo/t_test.h"
-
-typedef struct { studio s; plan p; effects_stage e; } set;
-
-static void set_up(set *q, const char *text)
-{
-    failure f;
-    studio_view v;
-    camera c;
-    if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
-    q->p = plan_of(&q->s);
-    if (!studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) fail(f);
-    if (!effects_stage_build(&q->s, &q->e, &f)) fail(f);
-    effects_stage_view(&q->e, &v, c);
-    effects_stage_effects(&q->e, q->p.effects);
-}
-
-static void tear_down(set *q) { effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s); }
-
-static double some(random_stream *r, double lowest, double highest)
-{
-    return lowest + (highest - lowest) * (double)random_next(r);
-}
+#include "27_seen.h"
 
 /* The copies for fixed masks are the same function: the general one gives the same bytes. */
 static void test_special(void)
@@ -108,9 +84,6 @@ static void test_classic(bool glass)
     "material dense\nKd 0\nNi 1.8\nillum 7\nsphere 0.1 0.8 0 0.4\n"
 #define UNDER "material chrome\nKd 0\nKs 0.8 0.7 0.6\nillum 3\n"                               \
     "polygon -4 0 4  4 0 4  4 0 -4  -4 0 -4\n"
-#define ABOVE "camera from 1.5 1.7 5 at 0 0.6 0 angle 32\nindirect off\n"                        \
-    "background 0.3 0.5 0.8\nsun to 1 2 3 colour 2\nmaterial wall\nKd 0.8 0.4 0.1\nillum 1\n"   \
-    "polygon -4 0 -3  4 0 -3  4 0.9 -3  -4 0.9 -3\n"
 
 static void test_touching(const char *text)
 {
@@ -144,16 +117,15 @@ static void test_touching(const char *text)
  * the lamp, from wall to wall: its back, which shines here and not in 26, sees nothing. In the
  * room: a glass ball that absorbs, and a mirror: a white one, since brdf_mirror follows Schlick's
  * Fresnel, and 27's illum 3 reflects the same at every angle. */
-static void test_paths(void)
+static void test_paths(const char *text, unsigned effects)
 {
     set q;
     lit_scene lit;
     path_tracer t;
-    set_up(&q, tax_room);
+    set_up(&q, text);
     classic_lit(&q.s, &lit);
     path_tracer_of(&lit, NULL, path_defaults, &t);
-    check(q.p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),
-          "the room calls for %x", q.p.effects);
+    check(q.p.effects == effects, "the room calls for %x", q.p.effects);
     size_t n = check_count(6000);
     double worst = 1;
     for (int i = 0; i < 8 * 6; i++) {  /* a ray each, some through glass and mirror */
@@ -181,40 +153,6 @@ static void test_paths(void)
 }
 
 /* ---- bodies: what a ray is inside of ---- */
-
-static vec3 seen_along(const set *q, ray r)
-{
-    dice d = dice_start(1, 1, 0);
-    effects_counts c = {.lost = 0};
-    return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o), &d, &c);
-}
-
-/* Two scenes are one picture: to rounding, which moves the edge of what lies behind by less than a
- * pixel in ten thousand. */
-static void test_same(const char *what, const char *one, const char *other)
-{
-    enum { w = 40, h = 30 };
-    set a, b;
-    size_t off = 0;
-    set_up(&a, one), set_up(&b, other);
-    for (int i = 0; i < w * h; i++) {
-        ray r = camera_ray(a.e.eye, (real)(i % w) + (real)0.37, (real)(i / w) + (real)0.41, w, h);
-        real far = vlength(vsub(seen_along(&a, r), seen_along(&b, r)));
-        off += !(far <= 4096 * real_epsilon);
-    }
-    check_at_most((double)off, sizeof(real) == 4 ? 4 : 0, "%s: rays that differ", what);
-    tear_down(&a), tear_down(&b);
-}
-
-/* Along an axis, with Ni 1, light is weakened by exp(-sum of absorb x length), and nothing else. */
-static void test_way(const char *text, real z, double exponent)
-{
-    set q;
-    set_up(&q, text);
-    ray r = {.o = {0, 0, z}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
-    check_close((double)seen_along(&q, r).x, exp(-exponent), 64 * (double)real_epsilon, "%s", text);
-    tear_down(&q);
-}
 
 #define SEEN "camera from 0 0 5 at 0 0 0 angle 30\nbackground 0.1 0.2 0.3\n"                    \
     "material lines\nKd 0.2 0.9 0.4\nillum 0\npolygon -9 -1 -3  9 -1 -3  9 0.2 -3  -9 0.2 -3\n"
@@ -259,8 +197,6 @@ static void test_bodies(void)
  * Contact rays are asked of what touches, and only there: one ball in the air has none. */
 static void test_blocks(void)
 {
-    #define GLASS "material glass\nKd 0\nNi 1.5\nabsorb 0.3 0.1 0.2\nillum 7\n"
-    #define WATER "material water\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\nillum 7\n"
     #define BESIDE WATER "box 1 0 0  2 0.75 1\nbox -1 0 0  0 0.5 1\n" UNDER
     static const char *const made[] = {
         "obj %s\n", "obj %s turn 0 1 0 90 move 0 0 1\n", "mesh m %s\ninstance m\n",
@@ -373,34 +309,6 @@ static void test_left_out(void)
 
 /* ---- light: closed forms ---- */
 
-/* The mean along the ray through the middle of the picture, of n independent estimates. */
-static void along(const effects_stage *e, size_t n, estimate out[3])
-{
-    effects_function *f = effects_made_for(e->mask);
-    for (int k = 0; k < 3; k++) out[k] = (estimate){0};
-    for (size_t i = 0; i < n; i++) {
-        dice d = dice_start(9, i, 0);
-        effects_counts c = {.lost = 0};
-        ray r = camera_ray(e->eye, 8, 6, 16, 12);
-        vec3 L = f(e, r, bodies_around(e, r.o), &d, &c);
-        for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
-    }
-}
-
-static void expect(const char *what, const char *text, const double exact[3], double rounding,
-                   unsigned mask)
-{
-    set q;
-    estimate e[3];
-    set_up(&q, text);
-    if (mask) effects_stage_effects(&q.e, mask);
-    along(&q.e, check_count(20000), e);
-    for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, 12 of them */
-        check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
-                       "%s, channel %d: mean %.9g, exactly %.9g", what, k, e[k].mean, exact[k]);
-    tear_down(&q);
-}
-
 /* A closed ball that shines inwards: L = Le / (1 - albedo) everywhere, whichever way its radius has
  * it turned. A point light of intensity I in the middle of a closed matte ball: E = I / R^2 is the
  * same everywhere, and so is what its wall sends back, albedo E / pi, of which albedo times as much
@@ -497,7 +405,11 @@ int main(void)
     test_classic(true);
     test_touching(ABOVE UNDER BLOCKS);
     test_touching(ABOVE BLOCKS UNDER);
-    test_paths();
+    test_paths(tax_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED);
+    char rough[2000];
+    snprintf(rough, sizeof rough, "%smaterial frosted\nKd 0\nNi 1.5\nroughness 0.55\nillum 7\n"
+             "absorb 1 0.2 0.5\nsphere -0.5 0.4 1 0.4\nbox 0.1 0.5 1.2  0.9 1.1 1.4\n", tax_room);
+    test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_GLOSSY | EFFECTS_WHITTED);
     test_bodies();
     test_blocks();
     test_contacts();

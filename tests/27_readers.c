@@ -42,13 +42,15 @@ static void test_mtl(void)
 {
     studio_material m = mtl_material(
         "# all of it\n\nnewmtl other\nKd 0 0 0\n newmtl  a b\n\tKd .5 .25 1\nKs 0.75\nKe 1 2 4\n"
-        "Tf 0.5 1 0\nNs 96\nNi 1.5\nd 0.25\nillum 7\nabsorb 0.5 0 2\nKa 1 1 1\n"
-        "map_Kd -s 1 1 1 x.png\n"
+        "Tf 0.5 1 0\nNs 96\nNi 1.5\nd 0.25\nillum 7\nabsorb 0.5 0 2\npriority 3\nroughness .25\n"
+        "Ka 1 1 1\nmap_Kd -s 1 1 1 x.png\n"
         "Pr 0.5\nsharpness 60\nbump y.png\nunknown things 1 2 3\n# end", "a b");
     check(same(m.kd, (vec3){0.5, 0.25, 1}) && grey(m.ks, 0.75) && same(m.ke, (vec3){1, 2, 4}),
           "Kd, Ks, Ke");
     check(same(m.tf, (vec3){0.5, 1, 0}) && same(m.absorb, (vec3){0.5, 0, 2}), "Tf, absorb");
     check(m.ns == 96 && m.ni == (real)1.5 && m.d == (real)0.25 && m.illum == 7, "Ns Ni d illum");
+    check(m.roughness == (real)0.25, "roughness");
+    check(m.priority == 3 && m.said[KEY_PRIORITY].line == 15, "priority");
     check(m.at.line == 5 && m.said[KEY_KD].line == 6 && m.said[KEY_ABSORB].line == 14, "lines");
     m = mtl_material("newmtl a\r\nTr 0.25\r\nNi 0\r\nd -halo 0.5\r\nTr .75\r\n", "a");
     check(m.d == (real)0.25, "Tr x is d = 1 - x, the later of the two counts: %g", (double)m.d);
@@ -78,6 +80,17 @@ static void test_mtl_broken(void)
         {"newmtl a\nTr -1\n", "a.mtl:2: Tr: out of range: '-1'", "0 to 1"},
         {"newmtl a\nNs -3\n", "a.mtl:2: Ns: out of range: '-3'", "0 to 1e+09"},
         {"newmtl a\nNi 20\n", "a.mtl:2: Ni: out of range: '20'", "0 to 10"},
+        {"newmtl a\nroughness 1.1\n", "a.mtl:2: roughness: out of range: '1.1'", "0 to 1"},
+        {"newmtl a\nroughness -.1\n", "a.mtl:2: roughness: out of range: '-.1'", "0 to 1"},
+        {"newmtl a\nroughness x\n", "a.mtl:2: roughness: not a number: 'x'", "finite decimals"},
+        {"newmtl a\nroughness .2\n", "a.mtl:2: roughness: 'a' is no glass", "illum 7, Tf"},
+        {"newmtl b\n\nroughness .2\nNs 9\nillum 3\nnewmtl a\n", "a.mtl:3: roughness: 'b'",
+         "say Ns"},
+        {"newmtl a\nillum 7\nroughness .2\nTf 0\nNi 2\n", "a.mtl:3: roughness: 'a'", "above 0"},
+        {"newmtl a\nillum 7\nroughness .2\nTf 1\n", "a.mtl:3: roughness: 'a'", "Ni not 1"},
+        {"newmtl a\npriority 1001\n", "a.mtl:2: priority: out of range: '1001'", "0 to 1000"},
+        {"newmtl a\npriority -1\n", "a.mtl:2: priority: out of range: '-1'", "0 to 1000"},
+        {"newmtl a\npriority .5\n", "a.mtl:2: priority: not a whole number before", "0 to 1000"},
         {"newmtl a\nNi 0.0001\n", "a.mtl:2: Ni: too small before", "0.001 to 10"},
         {"newmtl a\nillum 11\n", "a.mtl:2: illum: out of range: '11'", "0 to 10"},
         {"newmtl a\nillum 1.5\n", "a.mtl:2: illum: not a whole number", "0 to 10"},

@@ -12,13 +12,14 @@
  *   9         d Kd           Ks         -                 (1-d) (1-Ks) Tf, straight
  *   6         (1-Tf) Kd      -          Ks                (1-Ks) Tf, bent by Ni
  *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni; Tf 0: F0 of Ni, as 5
+ *     rough   -            -          1, by facets      Tf, by facets, bent by Ni
  *   not said  as 2; if d < 1, as 9
  *   NFF       Kd rgb         Ks rgb     Ks rgb, mirror    T, bent by ior
  *
  * Ns says which: 1000 and more, or none: a mirror; else glossy, a lobe (23.13) of that exponent, as
- * highlights are. Colours are albedos. No channel may give back more than it gets: where matte +
- * reflected + through (with fresnel: matte + through) exceeds 1, all are divided by the sum,
- * excess.
+ * highlights are. Rough: of glass with a roughness r, alpha = r^2 (23), all facets: Ns and Kd say
+ * nothing. Colours are albedos. No channel may give back more than it gets: where matte + reflected
+ * + through (with fresnel: matte + through) exceeds 1, all are divided by the sum, excess.
  */
 #ifndef EFFECTS_APPEARANCE_H
 #define EFFECTS_APPEARANCE_H
@@ -29,6 +30,7 @@ typedef struct {
     vec3 flat, matte, highlight, mirror, glossy, through, emits;
     vec3 absorb;                 /* per unit of length */
     real exponent, ior;
+    real rough;                  /* alpha (23): `mirror` and `through` are of facets; 0: smooth */
     bool fresnel, bends, solid;
     real excess;                 /* > 1: colours were divided by it */
 } appearance;
@@ -105,6 +107,11 @@ static inline appearance appearance_of(const studio_material *m)
         a.matte = vmul(kd, vrest(m->tf));
         a.through = illum == 6 ? vmul(m->tf, vrest(m->ks)) : m->tf;
         a.bends = m->ni != 1, a.solid = true, a.absorb = m->absorb;
+    }
+    if (illum == 7 && m->ni != 1 && m->roughness > 0 && !vzero(a.through)) {
+        a.rough = real_max(m->roughness * m->roughness, real_epsilon);  /* small is not 0 */
+        a.matte = a.glossy = (vec3){0, 0, 0};
+        a.mirror = (vec3){1, 1, 1};
     }
     a.fresnel = (illum == 5 || illum == 7) && !(vzero(a.mirror) && vzero(a.glossy));
     appearance_limit(&a);

@@ -7,6 +7,7 @@
  *   dice d = dice_sample(&p, k)                       the same numbers
  *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
  *   real u = dice_number(&d, node, purpose)           one, independent of all others
+ *   random_stream s = dice_stream(&d, node)           a row of such numbers
  *   node = dice_child(node, kind)                     of a ray of kind 0 .. 15; the eye's is 0
  *
  * Of a stream of numbers, one after the other, a shadow ray left out would hand its own on to the
@@ -29,7 +30,7 @@ enum { DICE_PIXEL = 1, DICE_LENS = 2 };  /* of the eye: number 0 is of its node 
 typedef struct { sampler_keys pairs; uint64_t own; } dice_half;
 typedef struct { dice_half half[2]; } dice_pixel;
 typedef struct { sampler pairs; uint64_t own; } dice;
-enum { dice_depth = 3 };
+enum { dice_depth = 3, dice_row = 32 };  /* dice_row: number of a stream; others are below */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -75,6 +76,11 @@ effects_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
 static inline real dice_number(const dice *d, uint32_t node, dice_purpose purpose)
 {
     return random_real_of(dice_bits(d, node, purpose));
+}
+
+static inline random_stream dice_stream(const dice *d, uint32_t node)
+{
+    return (random_stream){dice_bits(d, node, dice_row), 0};
 }
 
 static inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_purpose purpose)

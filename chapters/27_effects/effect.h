@@ -4,7 +4,8 @@
  *   EFFECT_HARD_SHADOWS      hard                light of points and suns: a shadow ray to each
  *   EFFECT_SOFT_SHADOWS      soft                light of faces that emit: rays to points of them
  *   EFFECT_MIRROR            mirror              a ray along the mirror direction
- *   EFFECT_GLOSSY            glossy              rays about the mirror direction
+ *   EFFECT_GLOSSY            glossy              rays about the mirror direction; of rough glass
+ *                                                about Snell's, too: without it, it is smooth
  *   EFFECT_REFRACTION        refraction          a ray through the surface, bent or straight
  *   EFFECT_ABSORPTION        absorption          no ray: exp(-absorb length) inside
  *   EFFECT_INDIRECT          indirect            rays from matte surfaces to other surfaces

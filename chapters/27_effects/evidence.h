@@ -42,8 +42,8 @@ static inline bool plan_has(const appearance *a, plan_part part)
     switch (part) {
     case PART_LIT: return appearance_lit(a);
     case PART_MATTE: return !vzero(a->matte);
-    case PART_MIRROR: return !vzero(a->mirror);
-    case PART_GLOSSY: return !vzero(a->glossy);
+    case PART_MIRROR: return !vzero(a->mirror) && !(a->rough > 0);
+    case PART_GLOSSY: return !vzero(a->glossy) || a->rough > 0;
     case PART_THROUGH: return !vzero(a->through);
     case PART_ABSORB: return !vzero(a->through) && a->solid && !vzero(a->absorb);
     case plan_parts: break;

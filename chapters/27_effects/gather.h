@@ -20,11 +20,12 @@
  *                                  and sky light surfaces only where that effect is simulated
  *
  * No shadow ray to a light that is behind the surface, black, or of which nothing is reflected.
+ * What lies in a body gets what its medium leaves of the light: (19.9), as 26.
  */
 #ifndef EFFECTS_GATHER_H
 #define EFFECTS_GATHER_H
 
-#include "stage.h"
+#include "bodies.h"
 #include "../24_direct_light/mis.h"
 #include "dice.h"
 
@@ -68,21 +69,39 @@ effects_inline surface effects_surface(const effects_stage *e, ray r, studio_hit
     return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
 }
 
-/* What of the light comes through where materials are clear: those that do not bend. */
-static inline vec3 gather_clear(const effects_stage *e, ray r)
+/* What the medium that fills the place leaves of the light. */
+static inline vec3 gather_left(const effects_stage *e, const media_set *in, real way)
 {
+    return absorbed(e->media[media_fills(e->media, in)].absorb, way);                  /* (19.9) */
+}
+
+/* What of the light comes through where nothing bends it; bodies are crossed as by other rays, but
+ * for the face of one that stands where the ray begins: h->b->in has it already. */
+static inline vec3 gather_clear(const gather_hit *h, ray r, bool absorbs)
+{
+    const effects_stage *e = h->e;
     vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
-    for (int k = 0; k < stage_most_depth; k++) {
+    media_set in = h->b->in, after = in;
+    for (int k = 0; k < stage_most_depth; k++, in = after) {
         studio_hit x;
-        if (!studio_tree_hit(&e->t, r, &x)) return left;
+        touch at = {.opaque.h.shape = no_shape};
+        if (!studio_tree_hit(&e->t, r, &x))
+            return absorbs ? vmul(left, gather_left(e, &in, r.tmax * vlength(r.d))) : left;
         const appearance *a = &e->look[studio_hit_material(&e->t, x)];
-        if (vzero(a->through) || a->bends) break;
-        left = vmul(left, a->through);
         surface s = effects_surface(e, r, x);
-        vec3 o = leave_point(s, r.d, 0);
+        bool body = appearance_body(a), stands = false;
+        if (body) touch_at(&e->t, e->look, e->near, false, r, x, &s, &at);
+        if (at.opaque.h.shape != no_shape) stands = fabs(vdot(s.n, vsub(r.o, s.p))) <= at.more;
+        if (body && !stands) bodies_cross(e, &at.faces, &in, &after, h->c);
+        if (absorbs) left = vmul(left, gather_left(e, &in, x.h.t * vlength(r.d)));
+        uint32_t inside = media_fills(e->media, &in), to = media_fills(e->media, &after);
+        if (vzero(a->through) || stage_bends(e, a, body, inside, to)) break;
+        if (!body || inside != to) left = vmul(left, a->through);
+        vec3 o = leave_point(s, r.d, at.more);
         if (r.tmax == real_infinity) r.o = o;
         else r = ray_between(o, end);
         if (vdot(vsub(end, o), s.n) * vdot(r.d, s.n) < 0) return left;  /* past the end */
+        if (at.opaque.h.shape != no_shape && !stands) break;
     }
     return (vec3){0, 0, 0};
 }
@@ -109,12 +128,15 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
                                   int kind, vec3 *left)
 {
     ray r = lit_draw_ray(&h->s, x);
+    bool absorbs = (mask & EFFECT_ABSORPTION) && (mask & EFFECT_REFRACTION);
     h->c->rays[kind]++;
     *left = (vec3){1, 1, 1};
-    if (!(mask & EFFECT_REFRACTION) || !h->e->clear)
-        return !studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r));
-    *left = gather_clear(h->e, r);
-    return !vzero(*left);
+    if ((mask & EFFECT_REFRACTION) && h->e->clear)
+        return *left = gather_clear(h, r, absorbs), !vzero(*left);
+    if (studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r))) return false;
+    if (absorbs && h->b->in.n)  /* all the way in one medium */
+        *left = gather_left(h->e, &h->b->in, r.tmax * vlength(r.d));
+    return true;
 }
 
 /* f cos w of all parts, for light from wi that was drawn with this pdf. */
@@ -197,7 +219,7 @@ effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, 
                                     b->pdf < real_infinity
                                         ? sky_light_pdf(&e->sky, b->r.d, b->cosine) : 0));
     if (mask & EFFECT_ABSORPTION)  /* an endless way through what absorbs */
-        L = vmul(L, absorbed(e->media[media_fills(e->media, &b->in)].absorb, real_infinity));
+        L = vmul(L, gather_left(e, &b->in, real_infinity));
     return L;
 }
 

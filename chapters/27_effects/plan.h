@@ -61,7 +61,7 @@ PLAN_RULE(rule_no_lobe, !q->has[PART_GLOSSY].n, no_line)
 PLAN_RULE(rule_opaque, !q->has[PART_THROUGH].n, no_line)
 PLAN_RULE(rule_clear, !q->has[PART_ABSORB].n, no_line)
 PLAN_RULE(rule_nothing_matte, !q->has[PART_MATTE].n, no_line)
-PLAN_RULE(rule_dark, !q->lights && !q->s->emitters && !q->around, no_line)
+PLAN_RULE(rule_dark, studio_dark(q->s), no_line)
 PLAN_RULE(rule_one_plane, q->flat, no_line)
 PLAN_RULE(rule_said_off, q->s->indirect == INDIRECT_OFF, q->s->indirect_said)
 PLAN_RULE(rule_direct_formats, q->direct_only,
@@ -72,23 +72,23 @@ PLAN_RULE(rule_pinhole, !(q->s->lens.radius > 0), q->s->lens.said)
 PLAN_RULE(rule_nothing_seen, !q->s->shapes && !q->s->solids && !q->s->places
                                  && q->s->sky.kind <= SKY_CONSTANT, no_line)
 
+#define plan_unlit "no material in use is lit: none is matte, glossy, or has a highlight"
+
 /* The whole plan. A proof, in the second column, is one that a reader can check in a line. */
 static const plan_rule plan_rules[] = {
     {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "no light", rule_no_light, "no point light and no sun"},
     {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "black light", rule_black_light,
      "no point light and no sun that is not black"},
-    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
-     "no material in use is lit: none is matte, glossy, or has a highlight"},
+    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit, plan_unlit},
 
     {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "no lamp", rule_no_lamp,
      "nothing in use emits light (Ke)"},
-    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
-     "no material in use is lit: none is matte, glossy, or has a highlight"},
+    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit, plan_unlit},
 
     {EFFECT_MIRROR, VERDICT_CANNOT, "no mirror", rule_no_mirror,
      "no material in use reflects sharply (illum 3 to 7 with Ns 1000 or none; NFF: Ks)"},
     {EFFECT_GLOSSY, VERDICT_CANNOT, "no lobe", rule_no_lobe,
-     "no material in use reflects in a lobe (illum 3 to 7 with Ns below 1000)"},
+     "no material in use reflects in a lobe (illum 3 to 7 with Ns below 1000; roughness)"},
     {EFFECT_REFRACTION, VERDICT_CANNOT, "opaque", rule_opaque,
      "no material in use lets light through (illum 6, 7; 4, 9 with d below 1; NFF: T)"},
     {EFFECT_ABSORPTION, VERDICT_CANNOT, "clear", rule_clear,
@@ -160,6 +160,14 @@ static inline plan_words plan_name(const plan_facts *q, plan_group g, material_k
     return w;
 }
 
+/* Of a part; glass that is rough says so, and not Ns. */
+static inline plan_words plan_part_name(const plan_facts *q, plan_part part, material_key key)
+{
+    plan_group g = q->has[part];
+    bool rough = part == PART_GLOSSY && q->look[g.first].rough > 0;
+    return plan_name(q, g, rough ? KEY_ROUGHNESS : key);
+}
+
 /* What calls for light that reaches a surface: the light, and the first surface. */
 static inline void plan_because_light(plan *p, const plan_facts *q)
 {
@@ -188,8 +196,7 @@ static inline void plan_because(plan *p, const plan_facts *q)
     if (p->effects & EFFECTS_LIT) plan_because_light(p, q);
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         if (p->effects >> list[k].kind & 1)
-            plan_says(p, list[k].kind, "%s",
-                      plan_name(q, q->has[list[k].part], list[k].key).text);
+            plan_says(p, list[k].kind, "%s", plan_part_name(q, list[k].part, list[k].key).text);
     if (p->effects & EFFECT_INDIRECT) {
         bool lit = q->lights > 0, lamp = q->s->emitters > 0;
         plan_says(p, RAY_SCATTERED, "%s, lit by%s%s%s%s%s",

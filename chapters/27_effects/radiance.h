@@ -10,6 +10,7 @@
  *     glossy       w G f cos/p about it (23.13)
  *     indirect     w Kd        anywhere, by the cosine
  *     refraction   w T         through it, bent (19.4) or straight; in total reflection back
+ *     rough glass  w M, w T    instead of these: off one facet or through it, as 26 (23.26)
  *
  *   M, G, T, Kd: appearance.h, times Fresnel's R or 1 - R where the material says so.
  *
@@ -21,9 +22,9 @@
 #ifndef EFFECTS_RADIANCE_H
 #define EFFECTS_RADIANCE_H
 
-#include "bodies.h"
 #include "gather.h"
 #include "../../common/headlight.h"
+#include "../26_path_tracer/dielectric.h"
 #include "../26_path_tracer/roulette.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -105,6 +106,27 @@ effects_inline int effects_through(const gather_hit *h, const unsigned mask, con
     return 1;
 }
 
+/* Rough glass: a facet, and one of its two ways (26), glossy or, where that is simulated, through.
+ * No light sample could find what it meets. A call, as bodies_cross. */
+__attribute__((noinline))
+static int effects_facet(const gather_hit *h, const unsigned mask, const appearance *a,
+                         real n1, real n2, const media_set *after, branch *c)
+{
+    rough_glass g = {a->rough, n1, n2};
+    random_stream s = dice_stream(h->d, h->b->node);
+    vec3 wi, n = h->s.n;
+    bool through;
+    real power;
+    if (!dielectric_rough(g, h->s.ns, vneg(h->b->r.d), &s, &wi, &through, &power)
+        || (vdot(wi, n) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return 0;
+    vec3 weight = vmul(h->b->weight, vscale(through ? a->through : a->mirror, power));
+    if (!effects_follows(h, mask, DICE_SURVIVES_GLOSSY, &weight)) return 0;
+    effects_child(h, mask, through ? RAY_REFRACTED : RAY_GLOSSY, through ? vneg(n) : n, wi, weight,
+                  c);
+    if (through && after) c->in = *after;
+    return 1;
+}
+
 /* The parts of a surface's light, by Fresnel where the material says so. x is set if it bends. */
 effects_inline void effects_shares(const unsigned mask, const appearance *a, vec3 d,
                                    const surface *s, const snell *x, bool bends, gather_share *k)
@@ -113,7 +135,9 @@ effects_inline void effects_shares(const unsigned mask, const appearance *a, vec
     k->matte = a->matte, k->highlight = a->highlight, k->mirror = a->mirror, k->glossy = a->glossy;
     k->through = mask & EFFECT_REFRACTION ? a->through : (vec3){0, 0, 0};
     if (!a->fresnel) return;
-    if (vzero(a->through)) {
+    if ((mask & EFFECT_GLOSSY) && a->rough > 0) {  /* for effects_facet */
+        k->mirror = k->through = (vec3){0, 0, 0};
+    } else if (vzero(a->through)) {
         vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
         *(vzero(a->mirror) ? &k->glossy : &k->mirror) = F;
         k->matte = vmul(k->matte, vrest(F));
@@ -126,12 +150,17 @@ effects_inline void effects_shares(const unsigned mask, const appearance *a, vec
 }
 
 /* Its children, the one to be traced first last. */
-effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
-                                    bool bends, const media_set *after, branch child[4])
+effects_inline int effects_children(const gather_hit *h, const unsigned mask, const appearance *a,
+                                    const snell *x, bool bends, const media_set *after,
+                                    branch child[4])
 {
     int n = 0;
     if (mask & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k.matte, child);
-    if (mask & EFFECT_GLOSSY) n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
+    if ((mask & EFFECT_GLOSSY) && a->rough > 0)
+        n += effects_facet(h, mask, a, bends ? (real)x->n1 : 1, bends ? (real)x->n2 : a->ior, after,
+                           &child[n]);
+    else if (mask & EFFECT_GLOSSY)
+        n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
     if (mask & EFFECT_MIRROR) {
         vec3 weight = vmul(h->b->weight, h->k.mirror);
         if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
@@ -142,19 +171,22 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
     return n;
 }
 
-/* Through all faces that lie where glass was met. False: one of them is opaque, and x, h are its. A
- * call, as bodies_cross. */
+/* Through all faces that lie where glass was met, and the roughest of them gives its material *m.
+ * False: one of them is opaque, and x, m, h are its. A call, as bodies_cross. */
 __attribute__((noinline))
-static bool effects_cross(gather_hit *h, bool always, studio_hit *x, branch *b, media_set *after,
-                          uint32_t *to)
+static bool effects_cross(gather_hit *h, bool always, studio_hit *x, uint32_t *m, branch *b,
+                          media_set *after, uint32_t *to)
 {
     const effects_stage *e = h->e;
     touch at;
     touch_at(&e->t, e->look, e->near, always, b->r, *x, &h->s, &at);
     h->more = at.more, h->c->contacts += at.asked;
+    for (const media_face *k = at.faces.face; k < at.faces.face + at.faces.n; k++)
+        if (k->in != k->out && e->look[k->body - 1].rough > e->look[*m].rough) *m = k->body - 1;
     if (at.opaque.h.shape == no_shape)
         return *to = bodies_cross(e, &at.faces, &b->in, after, h->c), true;
     at.opaque.h.t = x->h.t, *x = at.opaque, h->s = at.on;
+    *m = studio_hit_material(&e->t, *x);
     return false;
 }
 
@@ -179,9 +211,9 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     h.s = surface_copy(&met);
     media_set after;
     bool body = (mask & EFFECT_REFRACTION) && appearance_body(a);
-    if (body && !effects_cross(&h, (mask & EFFECTS_SPEND) != 0, &x, b, &after, &to)) {
-        m = studio_hit_material(&e->t, x), a = &e->look[m], h.lobe = &e->lobe[m];
-        body = false;
+    if (body) {
+        body = effects_cross(&h, (mask & EFFECTS_SPEND) != 0, &x, &m, b, &after, &to);
+        a = &e->look[m], h.lobe = &e->lobe[m];
     }
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
@@ -192,12 +224,12 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
     h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
-    bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
+    bool bends = body && stage_bends(e, a, body, inside, to);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         if (b->passed == stage_most_depth) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
-        effects_straight_on(&h, child);
+        if (!bends) effects_straight_on(&h, child);
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
@@ -213,7 +245,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     *sum = vadd(*sum, vmul(b->weight, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
-    return effects_children(&h, mask, &at, bends, body ? &after : NULL, child);
+    return effects_children(&h, mask, a, &at, bends, body ? &after : NULL, child);
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied; of

@@ -92,7 +92,7 @@ static inline void effects_stage_materials(effects_stage *e)
         e->look[m] = appearance_of(&s->material[m]);
         const appearance *a = &e->look[m];
         e->lobe[m] = brdf_blinn_phong(black, white, a->exponent);
-        e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, 0};
+        e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
         e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
     }
     e->near = touch_near_of(s, e->look);
@@ -113,6 +113,15 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
     for (size_t i = 0; i < s->lights; i++) out->light[i] = s->light[i].light;
     effects_stage_effects(out, EFFECTS_ALL);
     return true;
+}
+
+/* Does light change its way at a surface of this look, between two media? As a body; sheets do not
+ * bend. A face with one medium on both sides is none: it stops shadow rays all the same. */
+effects_inline bool stage_bends(const effects_stage *e, const appearance *a, bool body,
+                                uint32_t inside, uint32_t to)
+{
+    return a->bends
+        || (body && inside != to && (e->media[inside].ior != 1 || e->media[to].ior != 1));
 }
 
 static inline void effects_stage_view(effects_stage *e, const studio_view *v, camera c)

@@ -30,7 +30,8 @@
 #include "solids.h"
 
 typedef enum {
-    KEY_KD, KEY_KS, KEY_KE, KEY_TF, KEY_ABSORB, KEY_NS, KEY_NI, KEY_D, KEY_ILLUM, material_keys
+    KEY_KD, KEY_KS, KEY_KE, KEY_TF, KEY_ABSORB, KEY_NS, KEY_NI, KEY_D, KEY_ILLUM, KEY_ROUGHNESS,
+    KEY_PRIORITY, material_keys
 } material_key;
 
 typedef struct {
@@ -39,6 +40,8 @@ typedef struct {
     vec3 absorb;               /* per unit of length inside, >= 0 (Beer) */
     real ns, ni, d;            /* exponent [0, 1e9], refractive index [.001, 10], 1 opaque .. 0 */
     int illum;                 /* 0 to 10; -1: not said. What it means: appearance.h */
+    real roughness;            /* of glass, as in 23 [0, 1]; 0: smooth */
+    int priority;              /* 0 to 1000: which of overlapping bodies fills a place (19) */
     bool classic;              /* NFF: weights as they stand; reflections are sharp */
     bool library;              /* of an MTL file */
     cite at, said[material_keys];

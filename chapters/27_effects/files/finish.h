@@ -10,7 +10,7 @@
  *
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
  * a light of NFF so far away that no number holds its intensity; a solid (solids.h) that lets light
- * through or emits it; a cone that emits.
+ * through or emits it; a cone that emits; a roughness of what is no glass.
  */
 #ifndef EFFECTS_FINISH_H
 #define EFFECTS_FINISH_H
@@ -105,9 +105,23 @@ static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what,
     return true;
 }
 
+static inline bool finish_rough(const studio *s, failure *f)
+{
+    char said[300];
+    for (uint32_t m = 0; m < s->materials; m++) {
+        if (!(s->material[m].roughness > 0) || appearance_of(&s->material[m]).rough > 0) continue;
+        return failed(f, 2, "%s: roughness: '%.60s' is no glass, allowed: 0, or with illum 7, Tf "
+                      "above 0, Ni not 1; of what reflects alone say Ns",
+                      studio_said(s, s->material[m].said[KEY_ROUGHNESS], said, sizeof said),
+                      studio_material_name(s, m));
+    }
+    return true;
+}
+
 static inline bool studio_finish(studio *s, failure *f)
 {
     const vec3 *next = s->corner;
+    if (!finish_rough(s, f)) return false;
     for (size_t k = 0; k < s->solids; k++) {
         studio_solid *x = &s->solid[k];
         s->material[x->material].used = true;

@@ -4,7 +4,7 @@
  *
  *   matte     white grey black red green blue yellow         Kd
  *   metal     chrome gold copper mirror; brushed, which is glossy
- *   clear     glass water diamond; bottle, which is green inside
+ *   clear     glass water diamond; bottle, which is green inside; frosted, which is rough
  *   light     lamp                                           Ke 3
  *
  *   const char *keys = material_listed("gold")     lines as in MTL; NULL: not in the list
@@ -29,7 +29,8 @@ static const struct { const char *name, *keys; } material_list[] = {
     {"brushed", "Kd 0\nKs 0.91 0.92 0.92\nNs 60\nillum 3"},
     {"glass", "Kd 0\nTf 1\nNi 1.5\nillum 7"}, {"water", "Kd 0\nTf 1\nNi 1.33\nillum 7"},
     {"diamond", "Kd 0\nTf 1\nNi 2.42\nillum 7"},
-    {"bottle", "Kd 0\nTf 1\nNi 1.5\nabsorb 1.2 0.2 0.9\nillum 7"}, {"lamp", "Ke 3"},
+    {"bottle", "Kd 0\nTf 1\nNi 1.5\nabsorb 1.2 0.2 0.9\nillum 7"},
+    {"frosted", "Kd 0\nTf 1\nNi 1.5\nroughness 0.4\nillum 7"}, {"lamp", "Ke 3"},
     {"panel", "Ke 1"}};
 
 static inline const char *material_listed(const char *name)

@@ -1,8 +1,9 @@
 /* mtl.h: reads materials from Wavefront MTL files (材质库).
  *
  *   newmtl NAME; Kd Ks Ke Tf r [g b]; Ns x; Ni x; d x, d -halo x, Tr x: d = 1 - x; illum n;
- *   absorb r [g b], our own: absorbed inside, per unit of length. What they mean: appearance.h. Ka
- *   is checked and dropped, Ni 0 is taken as 1, all else is skipped; textures are named in a note.
+ *   our own: absorb r [g b], absorbed inside, per unit of length; priority n, of what overlaps;
+ *   roughness x, of glass. What they mean: appearance.h. Ka is checked and dropped, Ni 0 is taken
+ *   as 1, all else is skipped; textures are named in a note.
  *
  *   if (!mtl_read(&s, "a.mtl", &library, &f)) ...   s.library[library]; a file is read only once
  *   mtl_key(&s, &t, m, cite, &known)                 one such line for material m: scene files, too
@@ -21,7 +22,8 @@
 
 enum { mtl_ka = material_keys, mtl_tr, mtl_keys };  /* keywords that set no number of their own */
 static const char *const mtl_key_names[mtl_keys] = {
-    "Kd", "Ks", "Ke", "Tf", "absorb", "Ns", "Ni", "d", "illum", "Ka", "Tr"};
+    "Kd", "Ks", "Ke", "Tf", "absorb", "Ns", "Ni", "d", "illum", "roughness", "priority",
+    "Ka", "Tr"};
 
 static inline bool mtl_skip(text_reader *t)
 {
@@ -43,19 +45,26 @@ static inline bool mtl_colour(text_reader *t, vec3 *out, bool *read)
     return *read ? word_colour(t, out) : mtl_skip(t);
 }
 
+static inline bool mtl_whole(text_reader *t, int *out, int most, const char *allowed)
+{
+    real n = 0;
+    if (!word_number(t, &n, 0, most)) return false;
+    *out = (int)n;
+    return (real)*out == n || text_bad(t, t->p, "not a whole number before", allowed);
+}
+
 static inline bool mtl_number(text_reader *t, studio *s, studio_material *m, int key)
 {
     real n = 0;
     switch (key) {
     case KEY_NS: return word_number(t, &m->ns, 0, 1e9);
+    case KEY_ROUGHNESS: return word_number(t, &m->roughness, 0, 1);
     case KEY_D: return word_take(t, "-halo"), word_number(t, &m->d, 0, 1);
     case mtl_tr:
         if (!word_number(t, &n, 0, 1)) return false;
         return m->d = 1 - n, true;
-    case KEY_ILLUM:
-        if (!word_number(t, &n, 0, 10)) return false;
-        m->illum = (int)n;
-        return (real)m->illum == n || text_bad(t, t->p, "not a whole number before", "0 to 10");
+    case KEY_ILLUM: return mtl_whole(t, &m->illum, 10, "0 to 10");
+    case KEY_PRIORITY: return mtl_whole(t, &m->priority, 1000, "0 to 1000");
     default:
         if (!word_number(t, &n, 0, 10)) return false;
         if (n > 0 && n < (real)0.000999)

@@ -264,7 +264,7 @@ static inline bool scene_statement(statement *q)
     if (mtl_find(q->t) == mtl_keys)
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
                         "environment, up, indirect, material, use, sphere, cone, polygon, "
-                        "box, solid, obj, nff, mtl, mesh, instance, include, or Kd .. illum");
+                        "box, solid, obj, nff, mtl, mesh, instance, include, or Kd .. priority");
     if (q->described == name_none)
         return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");
     return mtl_key(q->s, q->t, q->described, q->at, &known) && mtl_line_ends(q->t);

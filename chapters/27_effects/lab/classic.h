@@ -102,7 +102,8 @@ static inline void classic_lit(const studio *s, lit_scene *lit)
         bool glass = !vzero(a.through);
         lit_material l = {.f = vzero(a.mirror) && !glass ? brdf_lambert(a.matte)
                                                          : brdf_mirror((vec3){1, 1, 1}),
-                          .Le = a.emits, .ior = glass ? a.ior : 0, .sigma = a.absorb};
+                          .Le = a.emits, .ior = glass ? a.ior : 0, .sigma = a.absorb,
+                          .alpha = a.rough};
         const polygon *g = &s->shape[i].polygon;
         uint16_t k = lit_add_material(lit, l);
         if (s->shape[i].kind != SHAPE_POLYGON) lit_add_shape(lit, s->shape[i], k);

@@ -1,0 +1,336 @@
+/* Tests of chapters/27_effects: bodies that overlap, light within them, and rough glass.
+ *
+ * Oracles: Beer's law and Snell's by hand, 19's tree of rays, 26's paths, quadratures.
+ */
+static char directory[] = "/tmp/27_glass_XXXXXX";
+#include "27_seen.h"
+
+/* ---- priorities ---- */
+
+/* Two blocks with Ni 1: A from z -2 to 1, B from -1 to 2; the ways in each. */
+static void test_overlap(int a, int b, real z, double in_a, double in_b)
+{
+    char text[700];
+    snprintf(text, sizeof text, "camera from 0 0 9 at 0 0 0\nbackground 1\n"
+             "material a\nKd 0\nillum 6\nabsorb 0.25\npriority %d\nbox -1 -1 -2  1 1 1\n"
+             "material b\nKd 0\nillum 6\nabsorb 1\npriority %d\nbox -1 -1 -1  1 1 2\n", a, b);
+    test_way(text, z, 0.25 * in_a + in_b);
+}
+
+/* Wide slabs at the same places, aslant: each by Snell's law. */
+static void test_slabs(bool glass_first, double sine)
+{
+    char text[700];
+    set q;
+    const double n[2] = {1.5, 1.33}, absorb[2] = {0.25, 1};
+    const double thick[2] = {glass_first ? 3 : 1, glass_first ? 1 : 3};
+    double exponent = 0;
+    for (int k = 0; k < 2; k++)
+        exponent += absorb[k] * thick[k] / sqrt(1 - sine * sine / (n[k] * n[k]));
+    snprintf(text, sizeof text, "camera from 0 0 9 at 0 0 0\nbackground 1\n"
+             "material a\nKd 0\nNi 1.5\nillum 6\nabsorb 0.25\npriority %d\n"
+             "box -40 -40 -2  40 40 1\n"
+             "material b\nKd 0\nNi 1.33\nillum 6\nabsorb 1\npriority %d\n"
+             "box -40 -40 -1  40 40 2\n",
+             glass_first, !glass_first);
+    set_up(&q, text);
+    vec3 d = vec(sine, 0, -sqrt(1 - sine * sine));
+    double L = (double)seen_along(&q, ray_from((vec3){0, 0, 3}, d)).x;
+    check_close(L, exp(-exponent), 256 * (double)real_epsilon, "slabs, sine %g", sine);
+    tear_down(&q);
+}
+
+static void test_priorities(void)
+{
+    test_overlap(0, 0, 9, 3, 1);  /* of equals the one entered last: A, */
+    test_overlap(1, 0, 9, 3, 1), test_overlap(7, 7, 9, 3, 1);
+    test_overlap(0, 1, 9, 1, 3), test_overlap(999, 1000, 9, 1, 3);
+    test_overlap(1, 0, 1.5, 3, 0.5);                                /* begun in B, */
+    test_overlap(1, 0, 0, 2, 0), test_overlap(0, 1, 0, 1, 1);       /* in both, */
+    test_overlap(0, 1, -1.5, 0.5, 0);                               /* in A */
+    for (int k = 0; k < 2; k++)
+        test_slabs(k, 0), test_slabs(k, 0.5), test_slabs(k, 0.999), test_slabs(k, 1e-6);
+    test_same("what a body of higher priority hides",
+              ABOVE "material g\nKd 0\nNi 1.5\nillum 7\npriority 1\nsphere 0 1 0 0.9\n",
+              ABOVE "material g\nKd 0\nNi 1.5\nillum 7\npriority 1\nsphere 0 1 0 0.9\n"
+              WATER "sphere 0.2 1 0.1 0.5\n" GLASS "box -0.3 0.7 0  0.2 1.2 0.3\n");
+    test_same("a wall of glass, the liquid let into it, or up to it",
+              ABOVE GLASS "priority 1\nbox 0 0.2 0  0.4 1.2 1\n" WATER "box 0.3 0.2 0  1 1.2 1\n",
+              ABOVE GLASS "priority 1\nbox 0 0.2 0  0.4 1.2 1\n" WATER "box 0.4 0.2 0  1 1.2 1\n");
+}
+
+/* Balls and blocks anywhere, each of a glass of its own; the same numbers, but `equal`: without
+ * priorities. */
+static void random_glass(uint64_t number, bool equal, char text[4000])
+{
+    random_stream r = random_start(29, number, 0);
+    size_t n = (size_t)snprintf(text, 4000, "%s", ABOVE);
+    for (int k = 0; k < 5; k++) {
+        double x = some(&r, -0.7, 0.4), y = some(&r, 0.1, 0.9), z = some(&r, -0.7, 0.4), p;
+        n += (size_t)snprintf(text + n, 4000 - n, "material m%d\nKd 0\nillum 7\nNi %.3f\n"
+                              "absorb %.2f %.2f 0\n", k, some(&r, 1.05, 2), some(&r, 0, 1),
+                              some(&r, 0, 1));
+        p = some(&r, 0, 3);
+        n += (size_t)snprintf(text + n, 4000 - n, "priority %d\n", equal ? 0 : (int)p);
+        if (k % 2) n += (size_t)snprintf(text + n, 4000 - n, "sphere %.3f %.3f %.3f %.3f\n", x, y,
+                                         z, some(&r, 0.2, 0.8));
+        else n += (size_t)snprintf(text + n, 4000 - n, "box %.3f %.3f %.3f  %.3f %.3f %.3f\n", x, y,
+                                   z, x + some(&r, 0.2, 1), y + some(&r, 0.2, 1),
+                                   z + some(&r, 0.2, 1));
+    }
+}
+
+/* Ray by ray 19's, wherever the eye is: n^2 of its place apart. */
+static void test_whitted(void)
+{
+    size_t n = check_count(60), rays = 0, off = 0, inside = 0, moved = 0;
+    for (size_t i = 0; i < n; i++) {
+        char text[4000], plain[4000];
+        set q, without;
+        classic c;
+        random_glass(i, false, text), random_glass(i, true, plain);
+        set_up(&q, text), set_up(&without, plain);
+        classic_build(&q.e, &c);
+        c.how.apart = false;
+        for (uint64_t k = 0; k < 100; k++, rays++) {
+            random_stream s = random_start(30, i, k);
+            ray r = camera_ray(q.e.eye, 60 * random_next(&s), 45 * random_next(&s), 60, 45);
+            if (k % 4 == 0)  /* from among them, to the wall */
+                r = ray_from(vec(some(&s, -1, 1), some(&s, 0, 1.5), some(&s, -1, 1)),
+                             vunit(vec(some(&s, -1, 1), some(&s, -1, 1), -1)));
+            media_set in = bodies_around(&q.e, r.o);
+            tracer t = {.w = &c.world, .program = whitted_programs, .user = &c.how};
+            vec3 a = seen_along(&q, r), b = whitted_ray(&t, r, in);
+            b = vscale(b, 1 / whitted_square(&c.how, &in));
+            inside += in.n > 1;
+            off += !(vlength(vsub(a, b)) <= 65536 * real_epsilon);
+            moved += vlength(vsub(a, seen_along(&without, r))) > (real)0.01;
+        }
+        classic_free(&c);
+        tear_down(&q), tear_down(&without);
+    }
+    check_at_most((double)off, (sizeof(real) == 4 ? 0.02 : 1e-3) * (double)rays,
+                  "of %zu rays, those that are not 19's", rays);
+    check_at_least((double)inside, 0.005 * (double)rays, "begun in two bodies");
+    check_at_least((double)moved, 0.02 * (double)rays, "without priorities: another picture");
+}
+
+/* ---- light within a body ---- */
+
+/* A stone floor and a light in a ball of water, so wide that nothing comes back from its end. */
+#define DEEP "material water\nKd 0\nNi 1.33\nabsorb 0.5 1 0.7\npriority 2\nillum 7\n"            \
+    "sphere 0 0 0 80\nmaterial stone\nKd 0.5\nillum 1\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n"
+#define LOOKS "camera from 0 1.5 2 at 0 0 0\n"
+#define SQUARE "material lamp\nKe 20\npolygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\n"
+
+/* E = sum of Ke cos^2 e^(-sigma s) / s^2 over a square of half side 1, 2 above, by the midpoint
+ * rule; L = Kd E / pi, and the way to the eye. */
+static double under_square(double sigma, double Ke, double eye)
+{
+    enum { n = 200 };
+    double E = 0;
+    for (int i = 0; i < n * n; i++) {
+        double x = (i % n + 0.5) * 2 / n - 1, y = (i / n + 0.5) * 2 / n - 1;
+        double s2 = x * x + y * y + 4, s = sqrt(s2);
+        E += Ke * 4 / s2 / s2 * exp(-sigma * s) * 4 / (n * n);
+    }
+    return 0.5 * E / (double)pi * exp(-sigma * eye);
+}
+
+/* 2 E3(x): what is left of an even sky under fog of that depth. */
+static double under_fog(double x)
+{
+    enum { n = 100000 };
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        double mu = (i + 0.5) / n;
+        sum += 2 * mu * exp(-x / mu) / n;
+    }
+    return sum;
+}
+
+#define FOG "camera from 0 3 0 at 0 0 0 up 0 0 1\nenvironment 1\nmaterial floor\nKd 0.5\n"        \
+    "illum 1\npolygon -60 0 60  60 0 60  60 0 -60  -60 0 -60\nmaterial fog\nKd 0\nTf 0.5\n"       \
+    "illum 6\nabsorb 0.4 0.8 0\n"
+
+static void test_within(void)
+{
+    const unsigned lamps = EFFECT_SOFT_SHADOWS | EFFECT_REFRACTION | EFFECT_ABSORPTION;
+    const unsigned sky = EFFECT_ENVIRONMENT | EFFECT_REFRACTION | EFFECT_ABSORPTION;
+    const double sigma[3] = {0.5, 1, 0.7};
+    double point[3], square[3], fog[3];
+    for (int k = 0; k < 3; k++) {
+        double s = sqrt(1 + 4);
+        point[k] = 0.5 / (double)pi * 9 * 2 / (s * s * s) * exp(-sigma[k] * (s + 2.5));
+        square[k] = under_square(sigma[k], 20, 2.5);
+        double x = (k == 2 ? 0 : k ? 0.8 : 0.4) * 0.5;
+        fog[k] = 0.5 * 0.25 * exp(-x) * under_fog(x);  /* Tf in, and Tf out */
+    }
+    expect("a point light in water", LOOKS DEEP "indirect off\nlight at 1 2 0 colour 9\n", point,
+           300, 0);
+    expect("a lamp in water, by shadow rays", LOOKS DEEP SQUARE, square, 1e7, lamps);
+    expect("and by paths", LOOKS DEEP SQUARE, square, 1e7, lamps | EFFECT_INDIRECT);
+    #define HIDDEN "material glass\nKd 0\nNi 1.5\nabsorb 3\npriority 1\nillum 7\n"
+    expect("past a body that the water hides", LOOKS DEEP SQUARE HIDDEN "sphere 0 1 0 0.4\n",
+           square, 1e7, lamps | EFFECT_INDIRECT);
+    const double gap[] = {0, 200, 400, 800, -200, -400, -800};
+    for (size_t k = 0; k < sizeof gap / sizeof *gap; k++) {  /* none, to within rounding */
+        char text[700];
+        snprintf(text, sizeof text, FOG "box -50 %.17g -50  50 0.5 50\nbox -1 0.1 -1  1 0.4 1\n",
+                 gap[k] * (double)real_epsilon);
+        expect("fog on the floor, a part of it said twice", text, fog, 3e6, sky);
+        expect("by paths, too", text, fog, 3e6, sky | EFFECT_INDIRECT);
+    }
+}
+
+/* ---- rough glass (27_radiance: in 26's room) ---- */
+
+#define FROSTED "material frosted\nKd 0\nNi 1.5\nillum 7\n"
+#define GREY_SKY "camera from 0 0 6 at 0 0 0 angle 25\nenvironment 0.2 0.4 0.6  1 0.8 0.3\n"
+
+/* The mean along a ray, by the dice of that seed. */
+static estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
+{
+    effects_function *f = effects_made_for(q->e.mask);
+    media_set in = bodies_around(&q->e, r.o);
+    effects_counts c = {.lost = 0};
+    estimate m = {0};
+    size_t bad = 0;
+    for (size_t i = 0; i < n; i++) {
+        dice d = dice_start(seed, i, 0);
+        vec3 L = f(&q->e, r, in, &d, &c);
+        bad += !(vfinite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
+        m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
+    }
+    check_equal(bad, 0, "of %zu, those that are no light", n);
+    return m;
+}
+
+/* The probability that two means of the same light are so far apart. */
+static double likely_alike(estimate x, estimate y)
+{
+    double a = estimate_error(x), b = estimate_error(y), error = sqrt(a * a + b * b);
+    double off = fabs(x.mean - y.mean) - 4096 * (double)real_epsilon;
+    return off <= 0 ? 1 : error > 0 ? erfc(off / error / sqrt(2.)) : 0;
+}
+
+/* Two scenes have the same light along rays of the first's picture. False alarms: 1e-8 each. */
+static void test_alike(const char *what, const char *one, const char *other)
+{
+    set a, b;
+    size_t n = check_count(3000);
+    double worst = 1;
+    set_up(&a, one), set_up(&b, other);
+    effects_stage_effects(&a.e, a.p.effects | EFFECTS_DICED);
+    effects_stage_effects(&b.e, b.p.effects | EFFECTS_DICED);
+    for (int i = 0; i < 8 * 6; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % 8) + (real)0.4, (real)(i / 8) + (real)0.3, 8, 6);
+        estimate x = mean_along(&a, r, 5, n), y = mean_along(&b, r, 6, n);
+        double likely = likely_alike(x, y);
+        if (!(likely >= worst)) worst = likely;
+    }
+    check_at_least(worst, 1e-8, "%s: least p of 48 rays", what);
+    tear_down(&a), tear_down(&b);
+}
+
+/* 26's, of all that shines of a scene a white background. */
+static estimate mean_of_26(const set *q, ray r, size_t n)
+{
+    lit_scene lit;
+    path_tracer t;
+    path_counts c = {0};
+    estimate m = {0};
+    classic_lit(&q->s, &lit);
+    lit.background = (vec3){1, 1, 1};
+    path_tracer_of(&lit, NULL, path_defaults, &t);
+    for (size_t i = 0; i < n; i++) {
+        path_random own = path_start(&t.how, 8, i, 0, 1);
+        m = estimate_add(m, (double)path_radiance(&t, r, &own, &c).x);
+    }
+    path_tracer_free(&t), lit_free(&lit);
+    return m;
+}
+
+/* In white light nothing is won, and what facets hide is lost: of each face at most some alpha, and
+ * as much as in 26. From within it is the same. */
+static void test_furnace(void)
+{
+    static const double rough[] = {0.7, 0.45, 0.2, 0.03, 1e-6};
+    double before = 0;
+    for (size_t k = 0; k < sizeof rough / sizeof *rough; k++) {
+        char text[400];
+        set q;
+        snprintf(text, sizeof text, "camera from 0 0 6 at 0 0 0\nbackground 1\n" FROSTED
+                 "roughness %g\nsphere 0 0 0 1\n", rough[k]);
+        set_up(&q, text);
+        for (int j = 0; j < 5; j++) {  /* head on, aside, along its edge, and from within */
+            const real y[5] = {0, 0.6, 0.99, 1 - 1e-6, 0.5};
+            ray r = ray_from((vec3){0, y[j], j < 4 ? 5 : 0}, (vec3){0, 0, -1});
+            estimate e = mean_along(&q, r, 7, check_count(4000));
+            double error = 6 * estimate_error(e) + 100 * (double)real_epsilon;
+            check_at_most(e.mean, 1 + error, "light is won, roughness %g, ray %d", rough[k], j);
+            if (j < 4)  /* false alarms: 1e-8 each */
+                check_at_least(likely_alike(e, mean_of_26(&q, r, check_count(4000))), 1e-8,
+                               "as much as 26: %g, roughness %g, ray %d", e.mean, rough[k], j);
+            if (j != 0 && j != 4) continue;
+            check_at_least(e.mean, 1 - rough[k] * rough[k] - error, "little is lost, ray %d", j);
+            check(j || e.mean >= before - error, "the less the smoother: %g, %g", before, e.mean);
+            if (j == 0) before = e.mean;
+        }
+        tear_down(&q);
+    }
+}
+
+/* Without `glossy` rough glass is smooth, to the last bit; and so is glass of hardly any roughness,
+ * but for the numbers. */
+static void test_smooth(void)
+{
+    set a, b;
+    size_t off = 0;
+    set_up(&a, GREY_SKY FROSTED "roughness 0.5\nsphere 0 0 0 1\n");
+    set_up(&b, GREY_SKY FROSTED "sphere 0 0 0 1\n");
+    effects_stage_effects(&a.e, EFFECT_MIRROR | EFFECT_REFRACTION);
+    effects_stage_effects(&b.e, EFFECT_MIRROR | EFFECT_REFRACTION);
+    for (int i = 0; i < 40 * 30; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % 40), (real)(i / 40), 40, 30);
+        vec3 x = seen_along(&a, r), y = seen_along(&b, r);
+        off += memcmp(&x, &y, sizeof x) != 0;
+    }
+    check_equal(off, 0, "rays that are not smooth");
+    tear_down(&a), tear_down(&b);
+    test_alike("roughness 1e-6", GREY_SKY FROSTED "roughness 1e-6\nsphere 0 0 0 1\n",
+               GREY_SKY FROSTED "sphere 0 0 0 1\n");
+    test_alike("of coloured glass in a dense ball",
+               GREY_SKY FROSTED "roughness 1e-6\nTf 0.9 0.5 0.3\nsphere 0.2 0 0 0.6\n"
+               "material dense\nNi 2\nTf 1\nKd 0\nillum 7\nsphere 0 0 0 1\n",
+               GREY_SKY FROSTED "Tf 0.9 0.5 0.3\nsphere 0.2 0 0 0.6\n"
+               "material dense\nNi 2\nTf 1\nKd 0\nillum 7\nsphere 0 0 0 1\n");
+}
+
+/* Two walls at one place: the rough one, whichever is met first. Into its glass, or up to it. A
+ * rough boundary of two equal indices is none. */
+static void test_rough_contact(void)
+{
+    #define ROUGH "material rough\nKd 0\nNi 2.4\nroughness 0.8\nabsorb 1 2 4\nillum 7\n"           \
+        "priority 1\nbox -1 -1 -0.6  1 1 0\n"
+    #define ASIDE "camera from 3 2 5 at 0 0 0 angle 15\nenvironment 0 0 0  1 1 1\n"
+    test_alike("rough or smooth first", ASIDE ROUGH WATER "box -1 -1 0  1 1 0.5\n",
+               ASIDE WATER "box -1 -1 0  1 1 0.5\n" ROUGH);
+    test_alike("water let into it", ASIDE ROUGH WATER "box -1 -1 0  1 1 0.5\n",
+               ASIDE WATER "box -1 -1 -0.2  1 1 0.5\n" ROUGH);
+    test_alike("frosted water in water", GREY_SKY WATER "sphere 0 0 0 1\n", GREY_SKY WATER
+               "sphere 0 0 0 1\nmaterial ice\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\n"
+               "roughness 0.7\nillum 7\nsphere 0.1 0.2 0 0.5\n");
+}
+
+int main(void)
+{
+    alarm(120);
+    test_priorities();
+    test_whitted();
+    test_within();
+    test_furnace();
+    test_smooth();
+    test_rough_contact();
+    return check_report("27_glass");
+}

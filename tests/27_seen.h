@@ -1,0 +1,115 @@
+/* 27_seen.h: scenes of chapter 27 from texts, and what is seen along rays.
+ *
+ *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this, as 27_files.h
+ *   set q; set_up(&q, text); .. tear_down(&q);         a scene, its plan, its stage
+ *   vec3 L = seen_along(&q, r)                         one throw of the dice, from where r begins
+ *   test_same(what, one, other)                        two scenes without chance are one picture
+ *   test_way(text, z, exponent)                        the light left along -z
+ *   along(&e, n, estimates)                            n throws, through the middle of the picture
+ *   expect(what, text, exact, rounding, mask)          their mean is exact; mask 0: of the plan
+ */
+#ifndef SEEN_27_H
+#define SEEN_27_H
+
+#include "27_files.h"
+#include "../chapters/27_effects/lab/tax.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct { studio s; plan p; effects_stage e; } set;
+
+static inline void set_up(set *q, const char *text)
+{
+    failure f;
+    studio_view v;
+    camera c;
+    if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
+    q->p = plan_of(&q->s);
+    if (!studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) fail(f);
+    if (!effects_stage_build(&q->s, &q->e, &f)) fail(f);
+    effects_stage_view(&q->e, &v, c);
+    effects_stage_effects(&q->e, q->p.effects);
+}
+
+static inline void tear_down(set *q)
+{
+    effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s);
+}
+
+static inline double some(random_stream *r, double lowest, double highest)
+{
+    return lowest + (highest - lowest) * (double)random_next(r);
+}
+
+static inline vec3 seen_along(const set *q, ray r)
+{
+    dice d = dice_start(1, 1, 0);
+    effects_counts c = {.lost = 0};
+    return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o), &d, &c);
+}
+
+/* A wall in the sun, looked at past what follows; glass and water. Nothing matte is in glass: 27
+ * leaves out the (n1/n2)^2 of (19.10), which cancels where lamps and eye are in air. */
+#define ABOVE "camera from 1.5 1.7 5 at 0 0.6 0 angle 32\nindirect off\n"                        \
+    "background 0.3 0.5 0.8\nsun to 1 2 3 colour 2\nmaterial wall\nKd 0.8 0.4 0.1\nillum 1\n"   \
+    "polygon -4 0 -3  4 0 -3  4 0.9 -3  -4 0.9 -3\n"
+#define GLASS "material glass\nKd 0\nNi 1.5\nabsorb 0.3 0.1 0.2\nillum 7\n"
+#define WATER "material water\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\nillum 7\n"
+
+/* Two scenes are one picture: to rounding, which moves the edge of what lies behind by less than a
+ * pixel in ten thousand. */
+static inline void test_same(const char *what, const char *one, const char *other)
+{
+    enum { w = 40, h = 30 };
+    set a, b;
+    size_t off = 0;
+    set_up(&a, one), set_up(&b, other);
+    for (int i = 0; i < w * h; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % w) + (real)0.37, (real)(i / w) + (real)0.41, w, h);
+        real far = vlength(vsub(seen_along(&a, r), seen_along(&b, r)));
+        off += !(far <= 4096 * real_epsilon);
+    }
+    check_at_most((double)off, sizeof(real) == 4 ? 4 : 0, "%s: rays that differ", what);
+    tear_down(&a), tear_down(&b);
+}
+
+/* Along an axis, with Ni 1, light is weakened by exp(-sum of absorb x length), and nothing else. */
+static inline void test_way(const char *text, real z, double exponent)
+{
+    set q;
+    set_up(&q, text);
+    ray r = {.o = {0, 0, z}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
+    check_close((double)seen_along(&q, r).x, exp(-exponent), 64 * (double)real_epsilon, "%s", text);
+    tear_down(&q);
+}
+
+/* The mean along the ray through the middle of the picture, of n independent estimates. */
+static inline void along(const effects_stage *e, size_t n, estimate out[3])
+{
+    effects_function *f = effects_made_for(e->mask);
+    for (int k = 0; k < 3; k++) out[k] = (estimate){0};
+    for (size_t i = 0; i < n; i++) {
+        dice d = dice_start(9, i, 0);
+        effects_counts c = {.lost = 0};
+        ray r = camera_ray(e->eye, 8, 6, 16, 12);
+        vec3 L = f(e, r, bodies_around(e, r.o), &d, &c);
+        for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
+    }
+}
+
+static inline void expect(const char *what, const char *text, const double exact[3],
+                          double rounding, unsigned mask)
+{
+    set q;
+    estimate e[3];
+    set_up(&q, text);
+    if (mask) effects_stage_effects(&q.e, mask);
+    along(&q.e, check_count(20000), e);
+    for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, 12 of them */
+        check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
+                       "%s, channel %d: mean %.9g, exactly %.9g", what, k, e[k].mean, exact[k]);
+    tear_down(&q);
+}
+
+#endif
