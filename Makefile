@@ -158,7 +158,7 @@ images: full
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
 	  --out images/27_effects_demo.png
-	$(BUILD)/27_effects chapters/27_effects/scenes/drink.scene --samples 256 --out images/27_effects_drink.png
+	$(BUILD)/27_effects chapters/27_effects/scenes/drink.scene --size 640x480 --samples 256 --out images/27_effects_drink.png
 
 # The scene's teapot is finer than the one in 07's scenes/: 07 writes it, to where the scene looks for it.
 showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
