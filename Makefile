@@ -65,8 +65,8 @@ EXACT = -ffp-contract=off -fno-tree-slp-vectorize
 CALM := $(shell echo 'int x;' | $(CC) -Werror -Wno-maybe-uninitialized -x c -c -o /dev/null - 2>/dev/null && \
   echo -Wno-maybe-uninitialized)
 SOON = -Dflatten= -Dalways_inline=unused $(CALM) $(SMALL)
-# Nor does gcc put a function into another where the file grows by it: a quarter less to compile, and what runs takes
-# a seventh more (at -O1; one second in three of these goes to the compiler).
+# Nor does gcc put a function into another where the file grows by it: all of it compiles in 103 s of processor time
+# instead of 125, and the tests run for 57 instead of 55.
 SMALL := $(shell $(CC) -Werror --param inline-unit-growth=0 --param large-unit-insns=0 -x c -c -o /dev/null /dev/null \
   2>/dev/null && echo --param inline-unit-growth=0 --param large-unit-insns=0)
 # Under the sanitizers, tests that compute much for the few lines they compile, and the short book: -O1.
