@@ -203,7 +203,7 @@ static void test_kinds(void)
     for (int k = 0; k < torture_classes; k++) {
         torture t = torture_make(k, 200, 5);
         const char *name = torture_list[k].name;
-        size_t so = 0, at = 0, down = 0, minus = 0, left = 0, cut = 0;
+        size_t flat = 0, so = 0, at = 0, down = 0, minus = 0, left = 0, cut = 0;
         for (size_t i = 0; i < t.n; i++) {
             ray r = t.r[i];
             int share, at_once = met_at_once(&t, i, &share);
@@ -213,6 +213,11 @@ static void test_kinds(void)
             down += r.d.z < 0, minus += r.d.x == 0 && signbit(r.d.x), left += r.d.x < 0;
             cut += t.due[i].shape == no_shape;
         }
+        for (size_t i = 0; i < t.m.triangles; i++) {
+            triangle q = mesh_triangle(&t.m, i);
+            flat += vzero(vcross(vsub(q.b, q.a), vsub(q.c, q.a)));
+        }
+        check_equal(flat, 0, "%s: triangles without area", name);
         check_equal(so, t.n, "%s: rays of another kind", name);
         check_at_least((double)at, aimed[k].least * (double)t.n, "%s: where they are aimed", name);
         if (k == 3) check(down > 50 && down < 150 && minus > 50 && minus < 150, "up, down, 0, -0");
