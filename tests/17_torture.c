@@ -189,7 +189,7 @@ static bool is_of_class(const torture *t, const char *name, size_t i)
         return r.tmin == (real)0x1p-10 && torture_due(&t->m, before, &through).t.num == 0;
     real room = (real)(1 << (torture_bits - 2));
     vec3 off = vmax(vsub(box.lo, r.o), vsub(r.o, box.hi));
-    return off.x <= room && off.y <= room && r.o.z > 0 && r.d.z < 0
+    return off.x <= room && off.y <= room && off.z <= 3 * room / 2 && r.o.z > 0 && r.d.z < 0
            && (strcmp(name, "flat") != 0 || (box.lo.z == 0 && box.hi.z == 0));
 }
 

@@ -79,6 +79,24 @@ static lit_scene a_scene(void)
     return s;
 }
 
+/* Normals of a mesh are numbered anew, behind those that are there; a corner without one has none. */
+static void test_corners_without_a_normal(void)
+{
+    vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, normal[2] = {{0, 0, 1}, {0, 1, 1}};
+    uint32_t index[3] = {0, 1, 2}, of[3] = {1, mesh_none, 0};
+    mesh one = {.v = corner, .vertices = 3, .index = index, .triangles = 1, .n = normal,
+                .normals = 2, .normal_index = of};
+    lit_scene s;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+    for (uint32_t k = 0; k < 2; k++) {
+        lit_add_mesh(&s, &one, grey);
+        const uint32_t *now = s.part[k].normal;
+        check(now[0] == 2 * k + 1 && now[1] == mesh_none && now[2] == 2 * k, "mesh %u", k);
+    }
+    lit_end(&s), lit_free(&s);
+}
+
 static void test_scenes(void)
 {
     lit_scene box, all = a_scene(), none;
@@ -439,6 +457,7 @@ static void test_short_cut(void)
 
 int main(void)
 {
+    test_corners_without_a_normal();
     test_scenes();
     test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);
