@@ -79,7 +79,7 @@ static lit_scene a_scene(void)
     return s;
 }
 
-/* Normals of a mesh are numbered anew, behind those that are there; a corner without one has none. */
+/* Normals of a mesh are numbered anew, behind those before; a corner without one has none. */
 static void test_corners_without_a_normal(void)
 {
     vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, normal[2] = {{0, 0, 1}, {0, 1, 1}};
