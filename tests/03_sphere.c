@@ -454,7 +454,7 @@ static bool is_right(sphere b, ray r)
 }
 
 /* In units of the constants, how far beyond a wrong sign is; below 0 where it is right: of D in
- * sphere_look_at; of k, in sphere_hit, inside taken for outside and the reverse; of the near root. */
+ * sphere_look_at; of k, in sphere_hit, inside taken for outside and reversed; of the near root. */
 typedef enum { SIGN_OF_D, SIGN_OF_K, SIGN_OF_K_INSIDE, SIGN_OF_NEAR } sign_of;
 
 static double beyond(sign_of what, sphere b, ray r)

@@ -531,7 +531,7 @@ static wide wide_sine(double x)
     return sum;
 }
 
-/* sin(x) of the library is rounded: without 2^-50 the sine itself would not be in [sin x, sin x]. */
+/* sin(x) of the library is rounded: without 2^-50 the sine itself is not in [sin x, sin x]. */
 static void test_sine_of_a_number(void)
 {
     size_t lost = 0, n = 1000;

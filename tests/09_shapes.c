@@ -178,8 +178,8 @@ static void test_volumes_touched(void)
     }
 }
 
-/* (10.1) by its sum: a hit is off its item by up to 256 epsilon D, a plane's t by 4; what is left is
- * for the building of cells. D by the corners of the box, each along each axis. */
+/* (10.1) by its sum: a hit is off its item by up to 256 epsilon D, a plane's t by 4; what is left
+ * is for the building of cells. D by the corners of the box, each along each axis. */
 static void test_delta(void)
 {
     double least = HUGE_VAL, most = 0;

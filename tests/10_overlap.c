@@ -113,7 +113,9 @@ static void test_touching_round(void)
         vec3 c = whole_vector(&g, bits), d = {(real)u[0], (real)u[1], (real)u[2]};
         vec3 w = {(real)u[4], (real)u[5], (real)u[6]}, p = vmadd(c, d, k);
         cone side = {vmadd(c, w, -h), k * (real)u[3] * 2, vmadd(c, w, h), 0};  /* r = k u3 at c */
-        if (i % 2) side.ra = side.rb = k * (real)u[3], p = vmadd(p, w, -real_min(end, h));
+        if (i % 6 > 3) side.ra = -side.ra;  /* with rb = 0: the same */
+        if (i % 2) side.ra = side.rb = k * (real)u[3] * (i % 3 ? 1 : -1);
+        if (i % 2) p = vmadd(p, w, -real_min(end, h));
         shape s[2] = {shape_of_sphere((sphere){c, k * (real)u[3]}), shape_of_cone(side)};
         scene world = {s, 2};
         items x = items_of_scene(&world);

@@ -255,6 +255,9 @@ static void test_tree(const char *name, mesh m, octree_options with, size_t poin
                 "%s: what is held is what is counted", name);
     check(st.depth <= with.depth && st.bytes <= st.peak && st.peak <= with.most_bytes,
           "%s: depth and memory within the limits", name);
+    size_t nodes = t.nodes * sizeof *t.node, references = t.references * sizeof *t.reference;
+    check_at_least(st.peak, st.bytes + (nodes > references ? nodes : references),
+                   "%s: an array and what it was copied from", name);
     check_equal(st.leaves, 7 * st.inner + 1, "%s: each cut makes seven more leaves", name);
     for (size_t i = 0; i < points; i++) {  /* corners are points of the triangle, exactly */
         random_stream g = random_start(41, i, 0);

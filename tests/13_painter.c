@@ -271,6 +271,31 @@ static void test_nearly_in_a_plane(void)
     }
 }
 
+/* An eye in the planes of some: all are in the order, and each is there once. */
+static void test_in_a_plane(void)
+{
+    size_t lost = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        mesh m = mesh_room(9);
+        painter p;
+        failure f;
+        for (size_t i = 0; i < 9; i++) {
+            vec3 at = vwith(vec(0, 0, 0), axis, (real)i), x = vwith(at, (axis + 1) % 3, 1);
+            set_triangle(&m, i, at, x, vwith(at, (axis + 2) % 3, 1));
+        }
+        if (!painter_build(&m, painter_defaults, &p, &f)) fail(f);
+        check(p.pieces == 9 && p.nodes == 9, "nine planes");
+        for (int k = 0; k < 9; k++) {
+            uint32_t order[9 + 9], seen = 0;
+            size_t n = painter_order(&p, vwith(vec(5, 5, 5), axis, (real)k), order);
+            for (size_t i = 0; i < n && i < 18; i++) seen |= 1u << order[i];
+            lost += n != 9 || seen != 0x1ff;
+        }
+        painter_free(&p), mesh_free(&m);
+    }
+    check_equal(lost, 0, "pieces left out, or twice, for an eye in a plane");
+}
+
 static void test_odd_input(void)
 {
     mesh m = mesh_room(4);
@@ -314,6 +339,7 @@ int main(void)
     test_area();
     test_sheet();
     test_nearly_in_a_plane();
+    test_in_a_plane();
     test_odd_input();
     return check_report("13_painter");
 }

@@ -434,6 +434,29 @@ static void test_shared_area(void)
 
 /* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut
  * between the groups, and cost and areas follow by hand. */
+/* The farthest corner, along its longest axis; o on any side of the box, or within. */
+static void test_reach(void)
+{
+    size_t wrong = 0, n = 2000;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(51, i, 0);
+        bvh_box b;
+        vec3 o = vec(0, 0, 0);
+        real due = 0;
+        for (int k = 0; k < 3; k++) {
+            b.side[k] = (float)random_between(&s, -4, 4);
+            b.side[3 + k] = b.side[k] + (float)random_between(&s, 0, 2);
+            o = vwith(o, k, random_between(&s, -8, 8));
+        }
+        for (int side = 0; side < 6; side++) {
+            real off = (real)b.side[side] - vaxis(o, side % 3);
+            due = off > due ? off : -off > due ? -off : due;
+        }
+        wrong += box_reach(&b, o) != due;
+    }
+    check_equal(wrong, 0, "how far a box reaches, of %zu", n);
+}
+
 static void test_closed_form(void)
 {
     mesh m = mesh_room(8);
@@ -475,6 +498,7 @@ int main(void)
     test_refusals();
     test_heuristic();
     test_closed_form();
+    test_reach();
     test_greed();
     test_shared_area();
     bvh_mesh none = {.triangle = NULL};

@@ -3,6 +3,7 @@
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
+#include "../chapters/24_direct_light/environment.h"
 #include "../chapters/24_direct_light/mis.h"
 #include "check.h"
 
@@ -77,6 +78,38 @@ static lit_scene a_scene(void)
     lit_add_shape(&s, shape_of_cone((cone){vec(0, 0, 2), .5, vec(0, 1, 2), 0}), lamp);
     lit_end(&s);
     return s;
+}
+
+/* Normals of a mesh are numbered anew, behind those before; a corner without one has none. */
+static void test_corners_without_a_normal(void)
+{
+    vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, normal[2] = {{0, 0, 1}, {0, 1, 1}};
+    uint32_t index[3] = {0, 1, 2}, of[3] = {1, mesh_none, 0};
+    mesh one = {.v = corner, .vertices = 3, .index = index, .triangles = 1, .n = normal,
+                .normals = 2, .normal_index = of};
+    lit_scene s;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+    for (uint32_t k = 0; k < 2; k++) {
+        lit_add_mesh(&s, &one, grey);
+        const uint32_t *now = s.part[k].normal;
+        check(now[0] == 2 * k + 1 && now[1] == mesh_none && now[2] == 2 * k, "mesh %u", k);
+    }
+    lit_end(&s), lit_free(&s);
+}
+
+/* The sun of the sky is where it was put, and nowhere else. */
+static void test_sun(void)
+{
+    real theta = pi * (real)8.5 / 32, phi = pi / 64;
+    vec3 to_sun = {sin(theta) * cos(phi), cos(theta), sin(theta) * sin(phi)};
+    environment e;
+    size_t bright = 0;
+    environment_sky(64, 32, to_sun, &e);
+    for (size_t i = 0; i < 64 * 32; i++) bright += e.im.rgb[3 * i] > 100;
+    check_equal(bright, 1, "a disk smaller than a pixel");
+    check(environment_radiance(&e, to_sun).x > 1000, "the sun");
+    environment_free(&e);
 }
 
 static void test_scenes(void)
@@ -439,6 +472,8 @@ static void test_short_cut(void)
 
 int main(void)
 {
+    test_corners_without_a_normal();
+    test_sun();
     test_scenes();
     test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);

@@ -422,6 +422,16 @@ static void test_no_light(void)
 
 /* ---- which light: as often as lit_lights_chance says, and as its pdf says ---- */
 
+/* Counts of all threads are sums, each of its own. */
+static void test_counts(void)
+{
+    path_counts all = {1, 2, 3, 4, 5, 6, 7, 8}, one = {10, 20, 30, 40, 50, 60, 70, 80};
+    const path_counts due = {11, 22, 33, 44, 55, 66, 77, 88};
+    path_counts_add(&all, &one);
+    check(memcmp(&all, &due, sizeof due) == 0, "counts are added");
+    check_equal(path_rays(&due), 22 + 33 + 44, "rays: of the camera, on, and to lights");
+}
+
 static void test_choice_of_light(void)
 {
     lit_scene s;
@@ -527,6 +537,7 @@ int main(void)
     test_rough_glass();
     test_called_for();
     test_choice_of_light();
+    test_counts();
     test_in_glass();
     test_no_light();
     test_strategies_agree();

@@ -249,6 +249,13 @@ static void test_program(void)
                 "another seed");
     check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
     check_equal(go(small "--samples 12 --resume %s --out %s", "c.state", "p.pfm"), 2, "not from 0");
+    static const char *const other[] = {"23x18", "24x17"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text, "--size %s --scene spheres --samples 12 --resume %s --out %s",
+                 other[i], in_directory("part.state"), in_directory("p.pfm"));
+        check_equal(run("26_path_tracer", text), 2, "another size");
+        check(printed("err", "24x18 pixels, not"), "%s: and says so", other[i]);
+    }
     check_equal(go(small "--range 5:3 --out %s", "p.pfm", ""), 2, "a range backwards");
     check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
     check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");

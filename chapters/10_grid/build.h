@@ -65,9 +65,9 @@ static inline void grid_resolution(aabb box, double cells, real margin, int n[3]
 }
 
 /* 1. Widened by the margin: for query_delta of the rays that begin near, and 8 epsilon of the
- * largest coordinate for walls and bounds: 2 are owed, a half each for the box, an item's bounds and
- * margin, a wall, and a wall's margin. What is near may be chosen freely: of rays from farther off
- * query_delta is more, and they go another way. */
+ * largest coordinate for walls and bounds: 2 are owed, a half each for the box, an item's bounds
+ * and margin, a wall, and a wall's margin. What is near may be chosen freely: of rays from farther
+ * off query_delta is more, and they go another way. */
 static inline bool grid_bounds(const items *x, grid *g, failure *f)
 {
     aabb all;
