@@ -418,6 +418,15 @@ static void test_owed(void)
     kd_ray_of(ray_from((vec3){0, 0, -3}, (vec3){1, 1, 1}), &here, &box, 1, &q);  /* D = 4 */
     check_at_least((double)q.o_near[0], (256 + 4) * 4 * eps, "what is owed along x");
     check_at_most((double)q.o_far[0], -(256 + 4) * 4 * eps, "and on the far side");
+
+    /* D is the way to the farthest of six planes: from 3 off the middle it is four times as far. */
+    kd_ray_of(ray_from((vec3){0, 0, 0}, (vec3){1, 1, 1}), &here, &box, 1, &q);
+    double one = (double)q.o_near[0];
+    for (int k = 0; k < 6; k++) {
+        vec3 o = vwith((vec3){0, 0, 0}, k / 2, k % 2 ? 3 : -3);
+        kd_ray_of(ray_from(o, (vec3){1, 1, 1}), &here, &box, 1, &q);
+        check_close((double)q.o_near[(k / 2 + 1) % 3], 4 * one, 1e-6 * one, "four times the way");
+    }
 }
 
 int main(void)

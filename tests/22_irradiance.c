@@ -110,6 +110,23 @@ static void test_hard_spheres(void)
     check_at_least((double)negative, 10, "naive: negative light");
 }
 
+/* As published it is right where nothing cancels: all above the horizon, part of it, nothing. */
+static void test_published(void)
+{
+    random_stream s = random_start(22, 6, 0);
+    double worst = 0;
+    for (size_t i = 0; i < check_count(2000); i++) {
+        real a = random_between(&s, 0.3, 2), h = random_between(&s, -0.7, 2);
+        if (a * a + h * h < (real)1.5) continue;
+        double exact = sphere_irradiance_exact(1, (double)a, (double)h);
+        double value = (double)sphere_irradiance_naive((sphere){{a, 0, h}, 1}, seen_from, seen_up);
+        worst = check_worse(worst, relative(value, exact));
+    }
+    check_at_most(worst, 1000 * eps, "published form, spheres near and not too low");
+    sphere low = {{2, 0, (real)-1.5}, 1};
+    check(sphere_irradiance_naive(low, seen_from, seen_up) == 0, "below the horizon");
+}
+
 /* Climbed to: d^2 - R^2 is some 1/8 of d^2. If it came from d alone, E would be off by 18 to 21
  * epsilon. {R, across, height}: the first in double, the others in float. */
 static void test_near_spheres(void)
@@ -339,6 +356,7 @@ int main(void)
     test_oracle();
     test_known_spheres();
     test_hard_spheres();
+    test_published();
     test_near_spheres();
     test_turned_spheres();
     test_known_polygons();

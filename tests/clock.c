@@ -22,6 +22,13 @@ static double run_fake(void *context)
     return (double)n;
 }
 
+static void warm_fake(void *context)
+{
+    (void)context;
+    order[strlen(order)] = 'w';
+    spin(40e-3);
+}
+
 static void test_median(void)
 {
     double odd[] = {3, 1, 2}, even[] = {4, 1, 3, 2}, one[] = {7}, far[] = {1e300, -1e300, 0};
@@ -45,13 +52,15 @@ static void test_turns(void)
 {
     const double a_ms[] = {0, 1, 1, 40, 1, 1}, b_ms[] = {30, 8, 8, 8, 8, 8};
     fake a = {'A', a_ms, 0}, b = {'B', b_ms, 0};
-    bench_candidate v[] = {{"a", run_fake, &a, 0, 0}, {"b", run_fake, &b, 0, 0}};
+    bench_candidate v[] = {{.run = run_fake, .context = &a},
+                           {.run = run_fake, .context = &b, .warm = warm_fake}};
     bench_time(v, 2, 5);
-    check_text(order, "ABABABABABAB", "variants run in turn, after one round to warm up");
+    check_text(order, "AwBAwBAwBAwBAwBAwB", "in turn, after one round; B is warmed");
     check_at_least(v[0].seconds, 0.001, "median of 1 ms");
     check_at_least(v[1].seconds, 0.008, "median of 8 ms");
+    check_at_most(v[1].seconds, 0.030, "what warms does not count");
     check_at_most(v[0].seconds, 0.030, "one slow turn does not count");
-    check_equal(clock_kept, 11, "the last result was kept");
+    check_equal(clock_kept, 17, "the last result was kept");
 }
 
 int main(void)

@@ -26,6 +26,7 @@ typedef struct {
     double (*run)(void *context);  /* does the work; returns something that depends on all of it */
     void *context;
     double seconds, spread;        /* out */
+    void (*warm)(void *context);   /* before each turn, untimed: caches as warm for all; or NULL */
 } bench_candidate;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -53,6 +54,7 @@ static inline void bench_time_by(double (*now)(void), bench_candidate *c, int n,
     double *all = allocate((size_t)n * (size_t)rounds, sizeof *all);
     for (int i = -warm; i < rounds; i++)
         for (int k = 0; k < n; k++) {
+            if (warm && c[k].warm) c[k].warm(c[k].context);
             double start = now();
             clock_kept = c[k].run(c[k].context);
             if (i >= 0) all[k * rounds + i] = now() - start;

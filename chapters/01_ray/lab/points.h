@@ -121,7 +121,7 @@ static inline void ray_main_table(const options *o, ray_task *job)
     table t = table_new("p(t), |o| = 1e4, |d| = 1: error (rms of 256 rays), time",
                         "form|error t=1|error t=1e4|error t=1e8|time [ns]");
     plot p = plot_new("Error of p(t), |o| = 1e4", "t", "error", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int f = 0; f < RAY_FORMS; f++) v[f] = (bench_candidate){NULL, ray_run[f], job, 0, 0};
+    for (int f = 0; f < RAY_FORMS; f++) v[f] = (bench_candidate){.run = ray_run[f], .context = job};
     bench_time(v, RAY_FORMS, o->quick ? 3 : 15);
     for (int f = 0; f < RAY_FORMS; f++) {
         int series = plot_series(&p, ray_form_name[f]);
@@ -143,8 +143,8 @@ static inline void ray_direction_table(const options *o, ray_task *job)
 {
     ray_task unit = *job;
     unit.unit = true;
-    bench_candidate v[] = {{"d = b - a", ray_run_direction, job, 0, 0},
-                           {"d of length 1", ray_run_direction, &unit, 0, 0}};
+    bench_candidate v[] = {{.name = "d = b - a", .run = ray_run_direction, .context = job},
+                           {.name = "d of length 1", .run = ray_run_direction, .context = &unit}};
     bench_time(v, 2, 15);
     table t = table_new("Making a ray from a to b", "direction|time [ns]|ratio");
     for (int k = 0; k < 2; k++) {

@@ -101,7 +101,7 @@ static inline void time_passes(const options *o, int n, const aabb_row *row, dou
 {
     bench_candidate v[aabb_row_count];
     aabb_work *w = work_new(o->seed);
-    for (int m = 0; m < n; m++) v[m] = (bench_candidate){"", row[m].pass, w, 0, 0};
+    for (int m = 0; m < n; m++) v[m] = (bench_candidate){.run = row[m].pass, .context = w};
     bench_time(v, n, o->quick ? 3 : o->full ? 61 : 15);
     for (int m = 0; m < n; m++) ns[m] = v[m].seconds / ((double)work_boxes * work_rays) * 1e9;
     free(w);

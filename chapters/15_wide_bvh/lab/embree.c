@@ -145,7 +145,8 @@ static void compare(const char *name, const mesh *m, bvh8 *w, RTCScene rtc, int 
             search *ask = i > 3 ? k == 2 ? shadow_leaky : bvh8_hit_leaky
                                 : k == 2 ? shadow : bvh8_hit;
             p[i] = (pass){rtc, &as[i], ask, rays[k], k == 2, 0};
-            c[i] = (bench_candidate){rival_name[i], i ? run_ours : run_embree, &p[i], 0, 0};
+            c[i] = (bench_candidate){.name = rival_name[i], .run = i ? run_ours : run_embree,
+                                     .context = &p[i]};
         }
         double ratio[rivals][most_rounds], seconds = 0;
         for (int round = -1; round < rounds; round++)

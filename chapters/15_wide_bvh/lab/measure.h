@@ -118,7 +118,7 @@ static inline void table_of_shadows(const options *o, const trial_scene *s)
     bench_candidate v[n];
     for (int i = 0; i < (int)n; i++) {
         pass[i] = (shadow_pass){list[i].ask, &w, &b, &rays, 0};
-        v[i] = (bench_candidate){list[i].name, shadow_run, &pass[i], 0, 0};
+        v[i] = (bench_candidate){.name = list[i].name, .run = shadow_run, .context = &pass[i]};
     }
     bench_time(v, (int)n, o->quick ? 1 : 15);
     for (int i = 0; i < (int)n; i++) {
@@ -179,7 +179,7 @@ static inline void table_of_cracks(const options *o)
         crack_pass pass[ways];
         for (int i = 0; i < ways; i++) {
             pass[i] = (crack_pass){list[i].hit, list[i].built, i < ways - 1 ? &rays : &few};
-            c[i] = (bench_candidate){list[i].name, crack_run, &pass[i], 0, 0};
+            c[i] = (bench_candidate){.name = list[i].name, .run = crack_run, .context = &pass[i]};
         }
         bench_time(c, ways, o->quick ? 1 : 5);
         for (int i = 0; i < ways; i++) {

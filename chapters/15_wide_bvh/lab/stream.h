@@ -66,7 +66,7 @@ static inline void table_of_streams(const options *o, const trial_scene *s)
         bench_candidate c[2];
         for (int i = 0; i < 2; i++) {
             p[i] = (stream_pass){&w, &s->rays[k], i ? stream_rays : 1, 0, {0, 0}};
-            c[i] = (bench_candidate){trial_kind_name[k], stream_run, &p[i], 0, 0};
+            c[i] = (bench_candidate){.run = stream_run, .context = &p[i]};
         }
         bench_time(c, 2, o->quick ? 1 : 15);
         search_work one = {0, 0, 0, 0};
