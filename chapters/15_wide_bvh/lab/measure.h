@@ -181,7 +181,7 @@ static inline void table_of_cracks(const options *o)
             pass[i] = (crack_pass){list[i].hit, list[i].built, i < ways - 1 ? &rays : &few};
             c[i] = (bench_candidate){.name = list[i].name, .run = crack_run, .context = &pass[i]};
         }
-        bench_time(c, ways, o->quick ? 1 : 5);
+        bench_time(c, ways, o->full ? 5 : 1);
         for (int i = 0; i < ways; i++) {
             size_t due = 0, lost = 0;
             double error = 0, ns = trial_per(c[i].seconds * 1e9, pass[i].rays->n);
