@@ -214,6 +214,22 @@ static void test_effects(void)
 }
 
 /* A mesh of two triangles, the first without a material, and a third material with none. */
+/* A reason ends with the line that it is about, if it is about one. */
+static void test_reasons(void)
+{
+    static const struct { const char *text; int kind; const char *why; } list[] = {
+        {"indirect off\n" FLOOR BALL("Kd 1") POINT, RAY_SCATTERED, "`indirect off` (t:1)"},
+        {"\n\n" FLOOR "indirect off\n" BALL("Kd 1") POINT, RAY_SCATTERED, "`indirect off` (t:7)"},
+        {FLOOR POINT, RAY_TO_LAMP, "nothing in use emits light (Ke)"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        studio s;
+        if (!read_text(list[i].text, &s)) continue;
+        plan p = plan_of(&s);
+        check_text(p.why[list[i].kind], list[i].why, list[i].text);
+        plan_free(&p), studio_free(&s);
+    }
+}
+
 static void test_finish(void)
 {
     const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 4}};
@@ -383,6 +399,7 @@ int main(void)
     test_appearance();
     test_energy();
     test_effects();
+    test_reasons();
     test_finish();
     test_effects_option();
     test_framing();

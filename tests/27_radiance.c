@@ -396,11 +396,31 @@ static void test_ways(void)
     tear_down(&q);
 }
 
+/* Deep down each hit has its own numbers: no two purposes share one, nor the two of a pair. */
+static void test_dice(void)
+{
+    enum { purposes = (int)dice_purposes, all = 3 * purposes };
+    dice d = dice_start(27, 5, 0);
+    size_t same = 0;
+    for (uint32_t node = 1; node <= 64; node++) {
+        real x[all];
+        for (int k = 0; k < purposes; k++) {
+            point2 u = dice_pair(&d, node, dice_depth + 1, (dice_purpose)k);
+            x[3 * k] = u.u, x[3 * k + 1] = u.v;
+            x[3 * k + 2] = dice_number(&d, node, (dice_purpose)k);
+        }
+        for (int i = 0; i < all; i++)
+            for (int k = 0; k < i; k++) same += x[i] == x[k];
+    }
+    check_at_most((double)same, 2, "equal numbers: 18,000 pairs of 24 bits and more, each 2^-24");
+}
+
 int main(void)
 {
     alarm(120);
     if (!mkdtemp(directory)) abort();
     test_special();
+    test_dice();
     test_classic(false);
     test_classic(true);
     test_touching(ABOVE UNDER BLOCKS);
