@@ -98,6 +98,7 @@ if [ "${REAL:-double}" = float ]; then
 fi
 
 # The path of a clone may hold a blank, so in recipes it stands in quotes; a BUILD that cannot be is refused.
+# shellcheck disable=SC2016  # $(..) is of make
 bare=$(grep -n '^	.*[^"]$(\(CURDIR\|abspath\)' Makefile)
 if [ -z "$bare" ]; then ok; else no "Makefile: a path without quotes: $bare"; fi
 for wrong in BUILD= BUILD=/ 'BUILD=a b' REAL=long; do
