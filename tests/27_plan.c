@@ -225,7 +225,7 @@ static void test_reasons(void)
         studio s;
         if (!read_text(list[i].text, &s)) continue;
         plan p = plan_of(&s);
-        check_text(p.why[list[i].kind], list[i].why, list[i].text);
+        check_text(p.why[list[i].kind], list[i].why, "%s", list[i].text);
         plan_free(&p), studio_free(&s);
     }
 }
