@@ -167,29 +167,32 @@ static void test_specks(void)
     grid_free(&g), mesh_free(&m);
 }
 
-/* A walk ends with its hit: as many cells as for the same ray that ends there from the start. */
+/* A walk ends with its hit: as many cells as for the same ray that ends there from the start. Two
+ * levels, too. */
 static void test_walk_ends_with_its_hit(void)
 {
     mesh m = torus_mesh(24);
     items x = items_of_mesh(&m);
     failure f;
     grid g;
-    search_work whole = {0, 0, 0, 0}, ended = whole;
+    nested n;
+    search_work whole = {0, 0, 0, 0}, ended = whole, parts = whole, parts_ended = whole;
     if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    if (!nested_build(&x, nested_defaults, &n, &f)) fail(f);
     for (size_t i = 0; i < check_count(4000); i++) {
         random_stream s = random_start(15, i, 0);
         vec3 o = random_in_cube(&s, 3);
         ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
-        hit h;
-        if (!grid_hit_counted(&g, r, &h, &whole)) {
-            grid_hit_counted(&g, r, &h, &ended);
-            continue;
-        }
-        r.tmax = h.t;
-        grid_hit_counted(&g, r, &h, &ended);
+        hit h, again;
+        bool met = grid_hit_counted(&g, r, &h, &whole);
+        nested_hit_counted(&n, r, &again, &parts);
+        if (met) r.tmax = h.t;
+        grid_hit_counted(&g, r, &again, &ended);
+        nested_hit_counted(&n, r, &again, &parts_ended);
     }
     check_equal(whole.nodes, ended.nodes, "cells asked, and of rays that end at their hits");
-    grid_free(&g), mesh_free(&m);
+    check_equal(parts.nodes, parts_ended.nodes, "two levels: the same");
+    grid_free(&g), nested_free(&n), mesh_free(&m);
 }
 
 /* ---- lists, limits, work ---- */
