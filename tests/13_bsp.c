@@ -367,6 +367,27 @@ static void test_wall_goes_to_the_smaller_part(void)
     bsp_free(&b), mesh_free(&m);
 }
 
+/* A search ends with its hit: as many nodes as for the same ray that ends there from the start. */
+static void test_search_ends_with_its_hit(void)
+{
+    mesh m = torus_mesh(24);
+    items x = items_of_mesh(&m);
+    failure f;
+    bsp b;
+    search_work whole = {0, 0, 0, 0}, ended = whole;
+    check(bsp_build(&x, bsp_defaults, &b, &f), "built");
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream g = random_start(18, i, 0);
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
+        hit h;
+        if (bsp_hit_counted(&b, r, &h, &whole)) r.tmax = h.t;
+        bsp_hit_counted(&b, r, &h, &ended);
+    }
+    check_equal(whole.nodes, ended.nodes, "nodes, and of rays that end at their hits");
+    bsp_free(&b), mesh_free(&m);
+}
+
 /* What a ray must have to spare, in eps D: bsp.h has the sum. Of its first term, a hit 256 off its
  * item, climbing has met 51: no ray sees the rest. And half the box must not be rounded down. */
 static void test_owed(void)
@@ -405,6 +426,7 @@ int main(void)
     test_limits();
     test_same_tree();
     test_slanted_wall();
+    test_search_ends_with_its_hit();
     test_naive();
     test_deep();
     test_rules();

@@ -1016,9 +1016,44 @@ static void test_cost_of_one(void)
     bvh_mesh_free(&b), instances_free(&x), mesh_free(&m);
 }
 
+/* A leaf of the upper tree holds one instance: a ray asks no instance whose own box it misses. The
+ * boxes are made anew here, of all corners of its mesh, and a thousandth larger. */
+static void test_asks_those_whose_box_is_met(void)
+{
+    scene_of_three s;
+    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    aabb box[64];
+    size_t met = 0, rays = check_count(2000);
+    scene_make(&s, 64, 4, (vec3){0, 0, 0}, 98);
+    instances x = built(&s.c, INSTANCES_POINTS);
+    for (size_t i = 0; i < s.c.n; i++) {
+        const mesh *m = &s.mesh[s.list[i].mesh];
+        vec3 lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
+        for (size_t k = 0; k < m->vertices; k++) {
+            vec3 p = affine_point(s.list[i].to_world, m->v[k]);
+            lo = vmin(lo, p), hi = vmax(hi, p);
+        }
+        vec3 more = {(real)0.001, (real)0.001, (real)0.001};
+        box[i] = (aabb){vsub(lo, more), vadd(hi, more)};
+    }
+    for (size_t k = 0; k < rays; k++) {
+        random_stream g = random_start(99, k, 0);
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
+        instance_hit h;
+        real t;
+        instances_hit_counted(&x, r, &h, &w);
+        for (size_t i = 0; i < s.c.n; i++) met += aabb_hit(box[i], r, &t);
+    }
+    check_at_most((double)w.upper.tests, (double)met, "instances asked, and boxes met");
+    check_at_least((double)w.upper.tests, (double)rays / 2, "some are asked");
+    instances_free(&x), scene_free(&s);
+}
+
 int main(void)
 {
     test_cost_of_one();
+    test_asks_those_whose_box_is_met();
     test_known_hit();
     test_equals_every_instance_asked();
     for (int k = 0; k < 4; k++) test_exact_transforms(k & 1, k / 2);
