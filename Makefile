@@ -17,6 +17,7 @@
 # make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
 # make commands   every command of the texts, as printed, in a fresh clone   some minutes
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
+# make compilers  does a picture depend on the compiler? gcc and clang, -O0 to -O3, half an hour   FILES=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  homework to give out: build/assignment-04/   assignment SET="04 09 14 26"  a set
 # make grade SUBMISSION=folder  a table, build/results.json   SUBMISSIONS=..  a class, build/grades.csv
@@ -224,9 +225,11 @@ costs: $(BUILD)/costs csv
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
 
-.PHONY: commands coverage
+.PHONY: commands compilers coverage
 commands:
 	@sh tests/commands.sh
+compilers:
+	@FILES="$(FILES)" JOBS=$(JOBS) sh tests/compilers.sh
 coverage: all $(FIRSTS:%=$(BUILD)/%_first)
 	@BUILD="$(BUILD)" TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
