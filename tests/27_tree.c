@@ -341,6 +341,37 @@ static void test_lamps(void)
     lamps_free(&l), studio_tree_free(&t), studio_free(&s);
 }
 
+/* What (16.3) says of a lamp that was moved, by the sum of placing.h, each term told by hand: M = 2,
+ * A = 1/2, m = (4, -8, 1), V = 3, k = K = 1, nothing left of E and f; its corners are 10 from 0. The
+ * ray that meets it pays a pad; its corners, M v + m, are four roundings of 2 V + 8 off. */
+static void test_moved_lamp(void)
+{
+    failure f;
+    studio s;
+    studio_tree t;
+    lamp_list l;
+    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .index = allocate(3, sizeof *m.index),
+              .triangles = 1};
+    m.v[0] = (vec3){0, 0, 0}, m.v[1] = (vec3){3, 0, 0}, m.v[2] = (vec3){0, 1, 0};
+    for (uint32_t i = 0; i < 3; i++) m.index[i] = i;
+    studio_begin(&s);
+    uint32_t lamp = studio_add_material(&s, "lamp", (cite){0, 0});
+    s.material[lamp].ke = (vec3){1, 1, 1};
+    affine place = affine_then(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){4, -8, 1}));
+    studio_place(&s, studio_add_mesh(&s, m, allocate(1, 4), 0, false), place, lamp, (cite){0, 0});
+    if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) fail(f);
+    lamps_build(&t, &l);
+    check_equal((double)l.n, 1, "one lamp that was moved");
+    const triangle at = {{4, -8, 1}, {10, -8, 1}, {4, -6, 1}};
+    const real eps = real_epsilon, third = (real)4 / 3, world = 2 * 3 + 8;
+    real pad = third * eps * (260 * 10 + 260 * (2 * 4 + world) + 2 * world);
+    real more = l.face[0].noise - emitter_of_triangle(at, (vec3){1, 1, 1}).noise;
+    check(more >= pad + 2 * eps * world, "a moved lamp is off by %g more, owed are %g",
+          (double)more, (double)(pad + 2 * eps * world));
+    check_at_most((double)(more / pad), 2.01, "and by two pads, not more");
+    lamps_free(&l), studio_tree_free(&t), studio_free(&s);
+}
+
 /* A direction drawn by the picture has the light and the pdf that a ray there finds. */
 static void test_sky(void)
 {
@@ -514,6 +545,7 @@ int main(void)
     test_solids();
     test_owed();
     test_lamps();
+    test_moved_lamp();
     test_sky();
     return check_report("27_tree");
 }
