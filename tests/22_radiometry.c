@@ -35,6 +35,8 @@ static void test_closed(void)
     double sum = 0;
     for (int i = 0; i < 10000; i++) sum += pow((i + 0.5) / 10000, 8) / 10000;
     check_close(2 * PI * sum, spot_closed(), 1e-7, "flux of the spotlight");
+    check_close(sphere_irradiance_unclipped((sphere){{3, 0, 4}, 2}, seen_from, seen_up),
+                PI * 4 / 25 * 4 / 5, 8 * eps, "(22.10): 5 away, 4 of it above");
     check_equal(area_term(ceiling_pane, (vec3){0, 0, 3}, (vec3){0, 0, -1}, 0.5, 0.5), 0,
                 "the back of the square is dark");
 }

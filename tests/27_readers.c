@@ -343,7 +343,7 @@ static void test_nff_rest(void)
 {
     studio s;
     failure f;
-    put("r.nff", "s 0 0 0 -2 # inside\nl 1 2 3 0.5 0.25 1 l 4 5 6 f 1 1 1 .5 .5 3 0 0\ns 1 1 1 1\n"
+    put("r.nff", "s 0 0 0 -2 # inside\nl 1 2 3 0 0.25 1 l 4 5 6 f 1 1 1 .5 .5 3 0 0\ns 1 1 1 1\n"
         "f 1 1 1 .5 .5 3 0 0 c 0 0 0 -1 0 0 1 0.5\npp 3 0 0 0 0 0 1 1 0 0 0 1 1 0 1 0 1 0 1\n"
         "p 3 5 0 0 6 0 0 5 1 0\n"
         "pp 4 0 0 0 0 0 2 2 0 0 0 0 2 0.5 0.5 0 0 0 2 0 2 0 0 0 2");
@@ -353,6 +353,9 @@ static void test_nff_rest(void)
     check(s.shapes == 3 && s.shape[0].sphere.r == -2 && s.shape[2].cone.ra == -1, "negative radii");
     check(s.shape_material[0] == 0 && s.shape_material[1] == 1, "before the first f: the default");
     check(s.lights == 2 && !s.view.given, "lights, no view");
+    vec3 c = s.light[0].light.colour;
+    check(c.x == 0 && c.y > 0 && c.z == 4 * c.y, "a light without red is a colour, too: %g %g %g",
+          (double)c.x, (double)c.y, (double)c.z);
     const mesh *m = &s.mesh[0];
     check(m->triangles == 4 && m->n, "two triangles and a concave patch of two: %zu", m->triangles);
     check(same(mesh_normal(m, 1, 0.25, 0.25), (vec3){0, 0, 1}),
@@ -556,6 +559,7 @@ static void test_scene_broken(void)
         {"environment i.mtl\n", "i.mtl: no whole P3, P6 or PF picture", ""},
         {"environment nan.pfm\n", "nan.pfm: pixel 1 0: no light", "0 to 1e+30"},
         {"polygon 0 0 0 1 1 1\n", "x.scene:1: polygon: too few corners", "3 or more"},
+        {"obj i.obj move x\n", "x.scene:1: obj: not a number: 'x'", "finite"},
         {"obj i.obj turn 0 0 0 5\n", "obj: no axis before", "turn X Y Z DEGREES"},
         {"obj i.obj scale 0\n", "obj: scaled to nothing", "none 0"},
         {"obj i.obj scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 "
