@@ -281,6 +281,10 @@ static void test_limit_is_exact(void)
     if (!grid_build(x, o, &g, &f)) fail(f);
     if (!nested_build(x, p, &n, &f)) fail(f);
     o.most_bytes = grid_stats(&g).peak, p.most_bytes = nested_stats(&n).peak;
+    const cell_lists *l = &g.lists;  /* where each cell's list begins and the last ends; a bit a cell */
+    check_equal((double)o.most_bytes,
+                4 * (double)(l->cells + 1) + 4 * (double)l->references
+                    + 8 * (double)(l->cells / 64 + 1), "bytes, by the arrays' lengths");
     grid_free(&g), nested_free(&n);
     check(grid_build(x, o, &g, &f), "grid: fits into its peak of %zu bytes", o.most_bytes);
     check(nested_build(x, p, &n, &f), "two levels: fit into their peak of %zu", p.most_bytes);
