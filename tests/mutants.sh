@@ -4,10 +4,11 @@
 # file, runs them, and counts the mutants that none of them notices.
 #   FILES="chapters/09_aabb/aabb.h .." SEED=1 N=20 sh tests/mutants.sh      make mutants FILES=.. SEED=.. N=..
 # Without FILES: all concept headers. EDIT='s/64 \*/16 */': the lines that sed changes so, instead of slips.
-# In a copy; the tree stays as it is. A mutant that does not compile is drawn anew; one that hangs counts as
-# seen. A test that fails without a mutant sees nothing: it is named and left out (those that run programs
-# want `make` first). What survives is printed with its line: kill it by a test, or say why it is
-# equivalent. Not part of make test: a mutant takes some seconds, one that survives minutes.
+# In a copy; the tree stays as it is. A mutant that does not compile is drawn anew. One that hangs counts as seen:
+# a test that takes LIMIT seconds of processor time, or waits ten times as long, is ended; a busy machine ends
+# none. A test that fails without a mutant sees nothing: it is named and left out (those that run programs want
+# `make` first). What survives is printed with its line: kill it by a test, or say why it is equivalent. Not
+# part of make test: a mutant takes some seconds, one that survives minutes.
 root=$PWD
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
@@ -74,7 +75,9 @@ done >includes
 fails() {
     # shellcheck disable=SC2086
     $CC $flags -o mutant "$1" -lm -lpthread 2>/dev/null || return 2
-    ! (cd "$root" && CHECK_DIVISOR=${CHECK_DIVISOR:-8} timeout "$LIMIT" "$scratch/mutant") >/dev/null 2>&1
+    # shellcheck disable=SC3045
+    ! (cd "$root" && ulimit -t "$LIMIT" && CHECK_DIVISOR=${CHECK_DIVISOR:-8} timeout "$((10 * LIMIT))" \
+        "$scratch/mutant" || exit 1) >/dev/null 2>&1
 }
 : >sound
 : >broken
