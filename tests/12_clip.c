@@ -286,6 +286,21 @@ static void test_sweep(void)
     check_at_most(none, rounds / 10, "most sets can be cut");
 }
 
+/* By definition: among the centres, sorted by hand, in halves of which no digit is lost. */
+static void test_median(void)
+{
+    enum { n = 5 };
+    static uint32_t a[n], b[n], c[n];
+    kd_splitter s = {KD_MEDIAN, 1, 1, 0, a, b, c};
+    kd_box cell = {{0, 0, 0}, {4, 16, 8}};
+    kd_item item[n] = {{.index = 0}};
+    const float lo[n] = {2, 14, 0, 4, 3}, hi[n] = {4, 16, 1, 9, 4};  /* centres 3, 15, .5, 6.5, 3.5 */
+    for (int i = 0; i < n; i++) item[i].box.lo[1] = lo[i], item[i].box.hi[1] = hi[i];
+    kd_choice found = kd_choose(&s, item, n, &cell);
+    check_equal(found.axis, 1, "the longest side");
+    check_equal((double)found.plane, 3.5, "the third of five centres");
+}
+
 /* In large cells the sweep tries few planes: its cost is right but for sides that lie in the very
  * plane, and hardly above the least of all. */
 static void test_bins(void)
@@ -324,6 +339,7 @@ int main(void)
     test_rounding();
     test_keys();
     test_sweep();
+    test_median();
     test_bins();
     return check_report("12_clip");
 }

@@ -51,6 +51,8 @@ static void test_triangle_shares(void)
     check_shares((triangle){{m, m, m}, {2 * m, m, m}, {m, 3 * m, m}}, p, 16 * eps, "scaled down");
     spherical_triangle k = spherical_triangle_of((triangle){{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, p);
     check_equal(k.omega, 0, "in its plane: nothing to see");
+    k = spherical_triangle_of((triangle){{2, -1, 0}, {-1, 2, 0}, {-1, -1, 0}}, p);
+    check_equal(k.omega, 0, "nor from within itself");
     k = spherical_triangle_of((triangle){{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}, p);
     check_equal(k.omega, 0, "without area: nothing to see");
 }
