@@ -283,6 +283,26 @@ static void test_limits(void)
     mesh_free(&t);
 }
 
+/* Copies of one triangle: their own plane has all of them on it, and none through an edge parts them. */
+static void test_copies(void)
+{
+    mesh m = mesh_room(8);
+    for (size_t i = 0; i < 8; i++)
+        set_triangle(&m, i, (vec3){0, 0, 0}, (vec3){1, 0, 0.5}, (vec3){0, 1, 0.25});
+    items x = items_of_mesh(&m);
+    for (int k = 0; k < 2; k++) {
+        bsp_options how = bsp_defaults;
+        failure f;
+        bsp b;
+        how.rule = k ? BSP_FEWEST : BSP_RANDOM, how.leaf = 1;
+        check(bsp_build(&x, how, &b, &f), "copies");
+        structure_stats s = bsp_stats(&b);
+        check_equal(s.inner, 1, "%s: one plane, as no other parts them", rule_name[how.rule]);
+        bsp_free(&b);
+    }
+    mesh_free(&m);
+}
+
 /* A plane right on a slanted square: no cell keeps empty space in front of it. */
 static void test_slanted_wall(void)
 {
@@ -424,6 +444,7 @@ int main(void)
     test_cells();
     test_refused();
     test_limits();
+    test_copies();
     test_same_tree();
     test_slanted_wall();
     test_search_ends_with_its_hit();
