@@ -183,6 +183,26 @@ static void test_within(void)
     }
 }
 
+/* Nine balls within one another, each of a glass of its own: in the middle, no more than seven are
+ * noted, the innermost; from the two outermost shells it is told which these are not. */
+static void test_shells(void)
+{
+    char text[700] = "camera from 0 0 20 at 0 0 0\nbackground 1\n";
+    set q;
+    for (int k = 1; k <= 9; k++)
+        snprintf(text + strlen(text), 60, "material m%d\nKd 0\nillum 7\nsphere 0 0 0 %d\n", k, k);
+    set_up(&q, text);
+    media_set all = bodies_around(&q.e, (vec3){0, 0, 0});
+    check_equal(all.n, media_most, "in nine bodies: the most that are noted");
+    for (uint32_t k = 1; k <= 3; k++) {
+        media_set in = bodies_around(&q.e, vec(0, 0, 9.5 - k));
+        check_equal(in.n, k, "in the outermost %u", (unsigned)k);
+        check(in.n == k && media_has(&all, in.body[k - 1]) == (k == 3), "%u from without: noted from "
+              "the middle or not", (unsigned)k);
+    }
+    tear_down(&q);
+}
+
 /* ---- rough glass (27_radiance: in 26's room) ---- */
 
 #define FROSTED "material frosted\nKd 0\nNi 1.5\nillum 7\n"
@@ -329,6 +349,7 @@ int main(void)
     test_priorities();
     test_whitted();
     test_within();
+    test_shells();
     test_furnace();
     test_smooth();
     test_rough_contact();
