@@ -197,8 +197,8 @@ static void test_shells(void)
     for (uint32_t k = 1; k <= 3; k++) {
         media_set in = bodies_around(&q.e, vec(0, 0, 9.5 - k));
         check_equal(in.n, k, "in the outermost %u", (unsigned)k);
-        check(in.n == k && media_has(&all, in.body[k - 1]) == (k == 3), "%u from without: noted from "
-              "the middle or not", (unsigned)k);
+        check(in.n == k && media_has(&all, in.body[k - 1]) == (k == 3),
+              "%u from without: noted from the middle or not", (unsigned)k);
     }
     tear_down(&q);
 }

@@ -585,6 +585,7 @@ static void test_scene_broken(void)
          "do not"},
         {"solid lamp sphere 0 0 0 1\n", "x.scene:1: solid: 'lamp' emits light", "do not"},
         {"obj \"i.obj\n", "obj: not the name of a file", "FILE"},
+        {"obj \"\"\n", "obj: not the name of a file", "FILE"},
         {"nff i.nff scale 1 2 1\n", "x.scene:1: nff: too much: 'scale'", "the end of the line"},
         {"cone 0 0 0 1  0 1 0 0  lamp\n", "x.scene:1: cone: 'lamp' emits light", "do not"},
         {"nff x.scene\n", "x.scene:1: line: begins with 'nff'", "v, b, l"},
