@@ -1,5 +1,6 @@
 /* Every hit of the grids equals brute force, bit for bit; the walk through the cells equals whole
  * numbers; lists, limits and work are what the headers promise. */
+#include "../chapters/09_aabb/trials/pictures.h"
 #include "../chapters/10_grid/lab/drift.h"
 #include "../chapters/10_grid/lab/naive.h"
 #include "../chapters/10_grid/nested.h"
@@ -456,6 +457,40 @@ static void test_mailbox_and_marking(void)
     mesh_free(&m);
 }
 
+/* Panels of a picture, and no structure in them. */
+static int panels_asked[3];
+static bool nothing_built(const trial_scene *s, const void *none, void *out, failure *f)
+{
+    (void)s, (void)none, (void)out, (void)f;
+    return true;
+}
+static void nothing_freed(void *b) { (void)b; }
+static vec3 stopping_colour(const void *picture, real x, real y)
+{
+    const trial_picture *p = picture;
+    (void)x, (void)y;
+    panels_asked[(int)p->most]++;
+    if (p->most == 1 && panels_asked[1] == 1) raise(SIGINT);
+    return vec(1, 1, 1);
+}
+
+/* One Ctrl-C stops all panels that are to come, not the one in hand. */
+static void test_panels_stop(void)
+{
+    const trial_verbs verbs = {.size = 1, .build = nothing_built, .free = nothing_freed};
+    const trial_scene s = {.due = NULL};
+    trial_panel panel[3];
+    image all = image_new(96, 32);
+    for (int k = 0; k < 3; k++)
+        panel[k] = (trial_panel){.s = &s, .verbs = &verbs, .most = (real)k, .samples = 1,
+                                 .colour = stopping_colour};
+    check(!trial_draw_panels(&all, 3, 1, 0, panel, 1), "three panels, stopped in the second");
+    check(panels_asked[0] == 32 * 32 && panels_asked[1] == 16 * 16 && panels_asked[2] == 0,
+          "asked: %d of the first, %d (a tile) of the second, %d of the third", panels_asked[0],
+          panels_asked[1], panels_asked[2]);
+    image_free(&all);
+}
+
 int main(void)
 {
     structure s = {"grid", STRUCTURE_OF(grid)};
@@ -485,5 +520,6 @@ int main(void)
     test_far_rays_are_right();
     test_mailbox_and_marking();
     structure_piled(grid, grid_defaults, 10000, structure_room(10000) + 0x1p24);
+    test_panels_stop();
     return check_report("10_grid");
 }

@@ -86,11 +86,12 @@ static inline bool trial_draw_panels(image *all, int columns, int rows, int gap,
     label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
     for (int k = 0; k < n; k++) {
         const trial_panel *p = &panel[k];
-        if (!row[k].built) { whole = false; continue; }  /* Ctrl-C */
         trial_picture place = {p->verbs, row[k].built, &p->s->m, p->camera, im.width, im.height,
                                p->most};
-        whole = pixels_draw(&im, p->samples, threads, "picture", p->colour, &place) && whole;
-        image_place(all, k % columns * (w + gap), k / columns * (h + gap), &im);
+        if (whole) {  /* Ctrl-C stops all of them, not the one in hand */
+            whole = pixels_draw(&im, p->samples, threads, "picture", p->colour, &place);
+            image_place(all, k % columns * (w + gap), k / columns * (h + gap), &im);
+        }
         trial_unbuild(&row[k]);
     }
     image_free(&im);

@@ -36,7 +36,7 @@ static inline bool draw_one(const options *o, const mesh *m, kdtree_options how,
            s.empty, s.references, s.depth, s.bytes);
     bool whole = pixels_draw(&im, 3, o->threads, "picture", trial_mesh_colour, &p);
     image_place(all, 0, 0, &im);
-    whole = pixels_draw(&im, 1, o->threads, "work", trial_work_colour, &p) && whole;
+    whole = whole && pixels_draw(&im, 1, o->threads, "work", trial_work_colour, &p);
     image_place(all, im.width, 0, &im);
     image_free(&im);
     kdtree_free(&t);
@@ -88,11 +88,11 @@ static inline void draw_final(const options *o)
     image all = label_sheet(2 * side + gap, side), im = image_new(side, side);
     how.leaf = 2;
     trial_scene_of(soup_mesh(60, (real)0.6, (real)0.9, 5), &s);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2 && whole; k++) {
         trial_row r = {.verbs = k ? &kdtree_trial : &kdtree_final_trial, .how = &how};
         trial_build(&r, &s);
         trial_picture p = {r.verbs, r.built, &s.m, trial_camera(&s.m, 1), side, side, 1};
-        whole = pixels_draw(&im, 2, o->threads, "hits", final_colour, &p) && whole;
+        whole = pixels_draw(&im, 2, o->threads, "hits", final_colour, &p);
         image_place(&all, k * (side + gap), 0, &im);
         trial_unbuild(&r);
     }

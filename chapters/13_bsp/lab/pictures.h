@@ -68,7 +68,7 @@ static inline bool draw_trees(const trial_scene *s, bool z_up, int threads, imag
     if (!mesh_bounds(&s->m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
     if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
         lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2 && whole; k++) {
         bsp_options how = bsp_with(k ? BSP_COST : BSP_AXIS, 16, BSP_SIDES_SAFE);
         trial_row r = {.verbs = &bsp_trial, .how = &how};
         trial_build(&r, s);
@@ -80,9 +80,9 @@ static inline bool draw_trees(const trial_scene *s, bool z_up, int threads, imag
                            low - half / aspect, low + half / aspect};
         camera c = camera_of(lo, hi, z_up, aspect);
         trial_picture p = {&bsp_trial, r.built, &s->m, c, im.width, im.height, 90};
-        whole = pixels_draw(&im, 3, threads, "cells", slice_colour, &slice) && whole;
+        whole = pixels_draw(&im, 3, threads, "cells", slice_colour, &slice);
         image_place(all, k * (all->width - im.width), 0, &im);
-        whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p) && whole;
+        whole = whole && pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);
         image_place(all, k * (all->width - im.width), all->height - im.height, &im);
         image_free(&im);
         trial_unbuild(&r);
