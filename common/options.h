@@ -109,6 +109,13 @@ static inline const option *option_find(const option *lists[2], const char *word
     return NULL;
 }
 
+/* The option whose file a word without dashes is, or NULL. */
+static inline const option *option_input(const option *own)
+{
+    while (own && own->kind != OPTION_INPUT) own = own->name ? own + 1 : NULL;
+    return own;
+}
+
 /* Reads the word argv[i] and its value; returns the index of the last argument used. */
 static inline int option_read(const option *lists[2], int argc, char **argv, int i)
 {
@@ -116,8 +123,7 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
     const option *o = option_find(lists, word);
     char range[64] = "";
     if (!o && word[0] == '-') die(2, "unknown option %.200s (see --help)", word);
-    if (!o)
-        for (o = lists[0]; o && o->kind != OPTION_INPUT;) o = o->name ? o + 1 : NULL;
+    if (!o) o = option_input(lists[0]);
     if (!o) die(2, "%.200s: this program reads no file (see --help)", word);
     if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
         die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
@@ -213,7 +219,8 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     signal(SIGXFSZ, SIG_IGN);  /* a file over the limit of ulimit -f: an error to report */
     for (int i = 1; i < argc; i++) help = help || strcmp(argv[i], "--help") == 0;
     if (help) {  /* first of all, while the values are the defaults */
-        printf("%s: %s\n\nusage: %s [options]\n", name, about, name);
+        printf("%s: %s\n\nusage: %s %s[options]\n", name, about, name,
+               option_input(own) ? "[FILE] " : "");
         for (int l = 0; l < 2; l++)
             for (const option *k = lists[l]; k && k->name; k++) option_help(k);
         exit(0);

@@ -217,6 +217,9 @@ static void test_help(void)
         "  --preview ", "  --quick ", "  --help ", "  --threads N "};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         check(strstr(r.out, lines[i]) != NULL, "help has '%s'", lines[i]);
+    r = child_run(reader, &LINE("--help"));
+    check(strstr(r.out, "\n\nusage: test_program [FILE] [options]\n") != NULL,
+          "a program with an input takes it without dashes: %.80s", r.out);
     if (access("/dev/full", W_OK) != 0) return;  /* Linux alone has it */
     r = child_run(to_full, &LINE(NULL));
     check(r.status == 1 && strstr(r.err, "standard output: cannot write"), "full disk: %s", r.err);
