@@ -99,7 +99,7 @@ static void test_said(void)
         {2, "@far.scene --quick --out @o.pfm", "far.scene:"},
         {1, room "--resume /dev/zero", "/dev/zero: cannot read: a device"},
         {2, room "--resume @floor.obj", "not a state"},
-        {2, room "--save @room.scene", "is the file of --scene"},
+        {2, room "--save @room.scene", "is the file of --mesh"},
         {2, room "--save @floor.obj --samples 1", "this run has read it"},
         {2, room "--save @sky.pfm --samples 1", "this run has read it"},
         {2, room "--out @sky.pfm --samples 100000", "this run has read it"},  /* at once */

@@ -18,8 +18,8 @@ int main(int argc, char **argv)
 {
     request q = {.path = NULL};
     const option own[] = {
-        {"scene", OPTION_INPUT, &q.path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
-        {"mesh", OPTION_INPUT, &q.path, 0, 0, "the same, by the name that it has in 07 to 26"},
+        {"mesh", OPTION_INPUT, &q.path, 0, 0, "to draw: .obj, .nff, else a scene file"},
+        {"scene", OPTION_INPUT, &q.path, 0, 0, "the same"},
         {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
