@@ -11,7 +11,9 @@
  *   void X_free(&s)                     a zeroed one may be freed
  *
  *   STRUCTURE_VERBS(X)                  makes the four that search from one:
- *                                       bool X_ask(&s, r, any, &h, &w)    any: h is not touched
+ *                                       bool X_search(&s, r, any, &h, &w)
+ *                                       any: h is not touched; w: NULL if nobody counts. Where it
+ *                                       is always_inline, each of the four is a search of its own
  *   double structure_room(n)            where cuts part nothing: see there
  *
  * x: what it holds; items.h.
@@ -102,23 +104,21 @@ static inline bool query_answer(const query *q, hit *out)
 }
 
 #define STRUCTURE_VERBS(X)                                                                       \
-    static inline bool X##_hit_counted(const X *s, ray r, hit *out, search_work *w)              \
-    {                                                                                            \
-        return X##_ask(s, r, false, out, w);                                                     \
-    }                                                                                            \
-    static inline bool X##_occluded_counted(const X *s, ray r, search_work *w)                   \
-    {                                                                                            \
-        return X##_ask(s, r, true, NULL, w);                                                     \
-    }                                                                                            \
     static inline bool X##_hit(const X *s, ray r, hit *out)                                      \
     {                                                                                            \
-        search_work w = {0, 0, 0, 0};                                                            \
-        return X##_ask(s, r, false, out, &w);                                                    \
+        return X##_search(s, r, false, out, NULL);                                               \
     }                                                                                            \
     static inline bool X##_occluded(const X *s, ray r)                                           \
     {                                                                                            \
-        search_work w = {0, 0, 0, 0};                                                            \
-        return X##_ask(s, r, true, NULL, &w);                                                    \
+        return X##_search(s, r, true, NULL, NULL);                                               \
+    }                                                                                            \
+    static inline bool X##_hit_counted(const X *s, ray r, hit *out, search_work *w)              \
+    {                                                                                            \
+        return X##_search(s, r, false, out, w);                                                  \
+    }                                                                                            \
+    static inline bool X##_occluded_counted(const X *s, ray r, search_work *w)                   \
+    {                                                                                            \
+        return X##_search(s, r, true, NULL, w);                                                  \
     }
 
 #endif

@@ -82,25 +82,7 @@ static inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_
     return query_answer(&q, out);
 }
 
-static inline bool grid_hit(const grid *g, ray r, hit *out)
-{
-    return grid_search(g, r, false, out, NULL);
-}
-
-static inline bool grid_occluded(const grid *g, ray r)
-{
-    return grid_search(g, r, true, NULL, NULL);
-}
-
-static inline bool grid_hit_counted(const grid *g, ray r, hit *out, search_work *work)
-{
-    return grid_search(g, r, false, out, work);
-}
-
-static inline bool grid_occluded_counted(const grid *g, ray r, search_work *work)
-{
-    return grid_search(g, r, true, NULL, work);
-}
+STRUCTURE_VERBS(grid)
 
 static inline structure_stats grid_stats(const grid *g)
 {

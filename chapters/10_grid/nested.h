@@ -227,25 +227,7 @@ static inline bool nested_search(const nested *x, ray r, bool any, hit *out, sea
     }
 }
 
-static inline bool nested_hit(const nested *x, ray r, hit *out)
-{
-    return nested_search(x, r, false, out, NULL);
-}
-
-static inline bool nested_occluded(const nested *x, ray r)
-{
-    return nested_search(x, r, true, NULL, NULL);
-}
-
-static inline bool nested_hit_counted(const nested *x, ray r, hit *out, search_work *work)
-{
-    return nested_search(x, r, false, out, work);
-}
-
-static inline bool nested_occluded_counted(const nested *x, ray r, search_work *work)
-{
-    return nested_search(x, r, true, NULL, work);
-}
+STRUCTURE_VERBS(nested)
 
 static inline structure_stats nested_stats(const nested *x)
 {

@@ -28,26 +28,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* always_inline makes a search of each of these calls: `any` and `work` are known there. */
-static inline bool octree_hit(const octree *t, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool octree_search(const octree *t, ray r, bool any, hit *out, search_work *work)
 {
-    return octree_walk(t, r, false, 1, out, NULL, NULL);
+    return octree_walk(t, r, any, 1, out, work, NULL);
 }
 
-static inline bool octree_occluded(const octree *t, ray r)
-{
-    return octree_walk(t, r, true, 1, NULL, NULL, NULL);
-}
-
-static inline bool octree_hit_counted(const octree *t, ray r, hit *out, search_work *work)
-{
-    return octree_walk(t, r, false, 1, out, work, NULL);
-}
-
-static inline bool octree_occluded_counted(const octree *t, ray r, search_work *work)
-{
-    return octree_walk(t, r, true, 1, NULL, work, NULL);
-}
+STRUCTURE_VERBS(octree)
 
 /* Naive: nothing in advance for rounding. A ray in a wall between two cells is told to be in one of
  * them, and the item that it hits may have been found to be in the other. */

@@ -50,29 +50,14 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool kdtree_hit(const kdtree *t, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool kdtree_search(const kdtree *t, ray r, bool any, hit *out, search_work *work)
 {
-    return t->x.m ? kd_search(t, r, 1, true, false, out, NULL)
-                  : kd_search(t, r, 1, false, false, out, NULL);
+    return t->x.m ? kd_search(t, r, 1, true, any, out, work)
+                  : kd_search(t, r, 1, false, any, out, work);
 }
 
-static inline bool kdtree_occluded(const kdtree *t, ray r)
-{
-    return t->x.m ? kd_search(t, r, 1, true, true, NULL, NULL)
-                  : kd_search(t, r, 1, false, true, NULL, NULL);
-}
-
-static inline bool kdtree_hit_counted(const kdtree *t, ray r, hit *out, search_work *work)
-{
-    return t->x.m ? kd_search(t, r, 1, true, false, out, work)
-                  : kd_search(t, r, 1, false, false, out, work);
-}
-
-static inline bool kdtree_occluded_counted(const kdtree *t, ray r, search_work *work)
-{
-    return t->x.m ? kd_search(t, r, 1, true, true, NULL, work)
-                  : kd_search(t, r, 1, false, true, NULL, work);
-}
+STRUCTURE_VERBS(kdtree)
 
 static inline structure_stats kdtree_stats(const kdtree *t)
 {

@@ -74,8 +74,8 @@ static inline bool bsp_ray_of(const bsp *b, ray r, real pads, bsp_ray *out)
 
 /* pads: 2, of delta; 0 is the naive one. first: ends at the first leaf with a hit. */
 __attribute__((always_inline))
-static inline bool bsp_search(const bsp *b, ray r, real pads, bool any, bool first_leaf, hit *out,
-                              search_work *work)
+static inline bool bsp_walk(const bsp *b, ray r, real pads, bool any, bool first_leaf, hit *out,
+                            search_work *work)
 {
     bsp_waiting stack[bsp_most_depth + 1];
     int top = 0;
@@ -127,38 +127,26 @@ static inline bool bsp_search(const bsp *b, ray r, real pads, bool any, bool fir
     return query_answer(&q, out);
 }
 
-static inline bool bsp_hit(const bsp *b, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool bsp_search(const bsp *b, ray r, bool any, hit *out, search_work *work)
 {
-    return bsp_search(b, r, 2, false, false, out, NULL);
+    return bsp_walk(b, r, 2, any, false, out, work);
 }
+
+STRUCTURE_VERBS(bsp)
 
 /* Dyadic faces, corners and rays (tests): t of the plane and of the hit on it are equal, or a hair
  * apart, and the side that has the item is left before the hit. */
 static inline bool bsp_hit_naive(const bsp *b, ray r, hit *out)
 {
-    return bsp_search(b, r, 0, false, false, out, NULL);
+    return bsp_walk(b, r, 0, false, false, out, NULL);
 }
 
 /* A large triangle that is named by the first leaf and hit behind it, beyond a small one that
  * only the second leaf names. */
 static inline bool bsp_hit_first(const bsp *b, ray r, hit *out)
 {
-    return bsp_search(b, r, 2, false, true, out, NULL);
-}
-
-static inline bool bsp_occluded(const bsp *b, ray r)
-{
-    return bsp_search(b, r, 2, true, false, NULL, NULL);
-}
-
-static inline bool bsp_hit_counted(const bsp *b, ray r, hit *out, search_work *work)
-{
-    return bsp_search(b, r, 2, false, false, out, work);
-}
-
-static inline bool bsp_occluded_counted(const bsp *b, ray r, search_work *work)
-{
-    return bsp_search(b, r, 2, true, false, NULL, work);
+    return bsp_walk(b, r, 2, false, true, out, NULL);
 }
 
 #endif

@@ -124,30 +124,19 @@ static inline bool bvh_mesh_leaf(const void *context, uint32_t first, uint32_t c
     return found;
 }
 
-static inline bool bvh_mesh_hit(const bvh_mesh *b, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool bvh_mesh_search(const bvh_mesh *b, ray r, bool any, hit *out,
+                                   search_work *work)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, false, out, NULL);
+    return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, any, out, work);
 }
+
+STRUCTURE_VERBS(bvh_mesh)
 
 /* With boxes tested as they come: see box_ray_naive. */
 static inline bool bvh_mesh_hit_naive(const bvh_mesh *b, ray r, hit *out)
 {
     return tree_search(&b->tree, r, box_ray_naive, bvh_mesh_leaf, b, false, out, NULL);
-}
-
-static inline bool bvh_mesh_occluded(const bvh_mesh *b, ray r)
-{
-    return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, true, NULL, NULL);
-}
-
-static inline bool bvh_mesh_hit_counted(const bvh_mesh *b, ray r, hit *out, search_work *work)
-{
-    return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, false, out, work);
-}
-
-static inline bool bvh_mesh_occluded_counted(const bvh_mesh *b, ray r, search_work *work)
-{
-    return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, true, NULL, work);
 }
 
 #endif

@@ -70,14 +70,13 @@ static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t
     return found;
 }
 
-static inline bool bvh_shapes_hit(const bvh_shapes *b, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool bvh_shapes_search(const bvh_shapes *b, ray r, bool any, hit *out,
+                                     search_work *work)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_shapes_leaf, b, false, out, NULL);
+    return tree_search(&b->tree, r, box_ray_of, bvh_shapes_leaf, b, any, out, work);
 }
 
-static inline bool bvh_shapes_occluded(const bvh_shapes *b, ray r)
-{
-    return tree_search(&b->tree, r, box_ray_of, bvh_shapes_leaf, b, true, NULL, NULL);
-}
+STRUCTURE_VERBS(bvh_shapes)
 
 #endif

@@ -7,7 +7,7 @@
 typedef struct { size_t most_bytes; } example_options;
 typedef struct { aabb box; uint32_t index; } example_item;
 typedef struct { items x; size_t n; example_item *item; aabb *box; structure_stats stats; } example;
-typedef struct { const example *e; query q; aabb_inverse i; vec3 delta; bool any; } example_search;
+typedef struct { const example *e; query q; aabb_inverse i; vec3 delta; bool any; } example_query;
 static int example_axis;  /* that qsort compares along */
 static int example_order(const void *a, const void *b)
 {
@@ -39,20 +39,20 @@ static inline bool example_build(const items *x, example_options how, example *e
     return true;
 }
 static inline void example_free(example *e) { free(e->item), free(e->box), *e = (example){0}; }
-static inline bool example_walk(example_search *s, size_t k, size_t at, size_t n, search_work *w)
+static inline bool example_walk(example_query *s, size_t k, size_t at, size_t n, search_work *w)
 {
     const aabb *b = &s->e->box[k], big = {vsub(b->lo, s->delta), vadd(b->hi, s->delta)};
     if (!aabb_hit_inverse(&big, &s->i, s->q.r, &(real){0})) return false;  /* big: by (10.1) */
-    if (n == 1) return w->tests++, query_ask(&s->q, &s->e->x, s->e->item[at].index, s->any);
-    w->nodes++;
+    if (w) w->nodes += n > 1, w->tests += n == 1;
+    if (n == 1) return query_ask(&s->q, &s->e->x, s->e->item[at].index, s->any);
     bool found = example_walk(s, k + 1, at, n / 2, w);
     return (found && s->any) || example_walk(s, k + 2 * (n / 2), at + n / 2, n - n / 2, w) || found;
 }
-static inline bool example_ask(const example *e, ray r, bool any, hit *out, search_work *w)
+static inline bool example_search(const example *e, ray r, bool any, hit *out, search_work *w)
 {
     if (e->n == 0 || !ray_is_usable(r)) return false;
     real d = query_delta(r, e->box[0]);
-    example_search s = {e, query_of(r), aabb_inverse_of(r), {d, d, d}, any};
+    example_query s = {e, query_of(r), aabb_inverse_of(r), {d, d, d}, any};
     return example_walk(&s, 0, 0, e->n, w) && (any || query_answer(&s.q, out));
 }
 static inline structure_stats example_stats(const example *e) { return e->stats; }

@@ -26,15 +26,15 @@ static inline bool mine_build(const items *x, mine_options how, mine *m, failure
 static inline void mine_free(mine *m) { free(m->box), *m = (mine){.box = NULL}; }
 
 /* Every box, larger by a hair for rounding (10.1), and what is in those that are met. */
-static inline bool mine_ask(const mine *m, ray r, bool any, hit *out, search_work *w)
+static inline bool mine_search(const mine *m, ray r, bool any, hit *out, search_work *w)
 {
     if (!ray_is_usable(r)) return false;
     real hair = query_delta(r, m->all), t;
     query q = query_of(r);
     for (size_t i = 0; i < m->x.n; i++) {
-        w->nodes++;
+        if (w) w->nodes++;
         if (!aabb_hit(first_aabb_pad(m->box[i], hair), q.r, &t)) continue;
-        w->tests++;
+        if (w) w->tests++;
         if (query_ask(&q, &m->x, (uint32_t)i, any) && any) return true;
     }
     return !any && query_answer(&q, out);
