@@ -12,12 +12,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree chapters/
 int main(int argc, char **argv)
 {
     const char *path = NULL;
-    octree_options how = octree_defaults;
     const option list[] = {
-        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"},
-        {"depth", OPTION_INT, &how.depth, 0, octree_most_depth,
-         "most cuts from the root to a leaf"},
-        {"leaf", OPTION_INT, &how.leaf, 1, 65535, "most triangles in a leaf"}, {0}};
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"}, {0}};
     options o = options_read(argc, argv, "11_octree", "Octrees: space cut into eight.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
@@ -28,7 +24,7 @@ int main(int argc, char **argv)
     if (path && !obj_read(path, &m, &f)) fail(f);
     trial_scene_of(path ? m : teapot_mesh(o.quick ? 8 : 12), &s);
     o.own = path != NULL;
-    draw_octree(&o, &s, how, path);
+    draw_octree(&o, &s, path);
     trial_scene_free(&s);
     if (o.own || o.out) return output_done(&o);
     draw_quadtree(&o);

@@ -2,34 +2,18 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/12_kdtree/main.c -lm -lpthread
  *
  * Without options: what each pixel of the teapot took, by four rules; the tree in the plane; a
- * short table. --full: all tables and plots. --mesh FILE.obj: the first picture of that mesh.
- * --strategy NAME: that tree alone, beside the mesh. */
+ * short table. --full: all tables and plots. --mesh FILE.obj: the first picture of that mesh. */
 #include "../07_mesh/files/obj.h"
 #include "lab/figure.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
-typedef struct { const char *mesh, *strategy; kdtree_options how; } own_options;
-
-static void choose_strategy(own_options *own)
-{
-    static const char *const name[kdtree_strategies] = {"middle", "median", "sah"};
-    int k = 0;
-    if (!own->strategy) return;
-    while (k < kdtree_strategies && strcmp(own->strategy, name[k]) != 0) k++;
-    if (k == kdtree_strategies)
-        die(2, "--strategy %s: allowed are middle, median, sah", own->strategy);
-    own->how.strategy = (kdtree_strategy)k;
-}
-
-static void draw(const options *o, const own_options *own, const trial_scene *s)
+static void draw(const options *o, const trial_scene *s, const char *path)
 {
     char name[512];
     image all = image_new(o->width, o->height);
-    bool whole = own->strategy ? draw_one(o, &s->m, own->how, !own->mesh, &all)
-                               : draw_strategies(o, s, !own->mesh, &all);
-    const char *model = own->mesh ? own->mesh : own->strategy;
-    output_picture(o, &all, picture_name("12_kdtree.png", model, name), true, whole);
+    bool whole = draw_strategies(o, s, !path, &all);
+    output_picture(o, &all, picture_name("12_kdtree.png", path, name), true, whole);
     image_free(&all);
 }
 
@@ -49,27 +33,20 @@ static void measure(const options *o)
 
 int main(int argc, char **argv)
 {
-    own_options own = {.how = kdtree_defaults};
-    const option list[] = {
-        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up"},
-        {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
-         "middle, median or sah: that tree alone, beside the mesh"},
-        {"leaf", OPTION_INT, &own.how.leaf, 0, 255, "most items in a leaf; 0: by cost (sah)"},
-        {"depth", OPTION_INT, &own.how.depth, 0, kdtree_most_depth,
-         "of leaves; 0: 8 + 1.3 log2 n"},
-        {0}};
+    const char *path = NULL;
+    const option own[] = {{"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up"},
+                          {0}};
     options o = options_read(argc, argv, "12_kdtree", "k-d trees of triangle meshes.",
-                             (options){.width = 640, .height = 400, .seed = 1}, list);
+                             (options){.width = 640, .height = 400, .seed = 1}, own);
     failure f;
     trial_scene s;
     mesh m = {0};
-    choose_strategy(&own);
-    if ((own.mesh || own.strategy) && o.csv) die(2, "--csv: no table with --mesh, --strategy");
+    if (path && o.csv) die(2, "--csv: no table with --mesh");
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
-    if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
-    trial_scene_of(own.mesh ? m : teapot_mesh(o.quick ? 6 : 32), &s);
-    o.own = own.mesh || own.strategy;
-    draw(&o, &own, &s);
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    trial_scene_of(path ? m : teapot_mesh(o.quick ? 6 : 32), &s);
+    o.own = path != NULL;
+    draw(&o, &s, path);
     trial_scene_free(&s);
     if (!o.own && !o.out) draw_figure(&o), draw_final(&o), measure(&o);
     return output_done(&o);

@@ -1,6 +1,6 @@
 /* pictures.h: a mesh with the cells of its octree upon it, the work a pixel, and what goes wrong.
  *
- *   draw_octree(o, &s, how, path)   the colour of a point: how deep its leaf is; lines: its sides.
+ *   draw_octree(o, &s, path)        the colour of a point: how deep its leaf is; lines: its sides.
  *                                   The book's own scene (path NULL): the work of each pixel, too
  *   draw_faults(o)                  the textbook's walk beside octree_hit; orange where it is wrong
  */
@@ -93,9 +93,9 @@ static inline image octree_legend(const image *im, bool depths)
     return sheet;
 }
 
-static inline void draw_octree(const options *o, const trial_scene *s, octree_options how,
-                               const char *path)
+static inline void draw_octree(const options *o, const trial_scene *s, const char *path)
 {
+    const octree_options how = octree_defaults;
     vec3 lo, hi;
     char name[512];
     trial_row r = {.verbs = &octree_trial, .how = &how};
