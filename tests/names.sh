@@ -10,18 +10,20 @@ trap 'rm -rf "$scratch"' EXIT
 
 headers() { find "$1/common" "$1/chapters" -name '*.h' | sort; }
 
+# Of the arguments in a text that begins behind their parenthesis; -1: it does not end.
+count='function count(list,   i, c, depth, n) {
+    n = list ~ /^ *(void)? *\)/ ? 0 : 1; depth = 0
+    for (i = 1; i <= length(list); i++) {
+        c = substr(list, i, 1)
+        if (c ~ /[({[]/) depth++
+        if (c ~ /[]})]/ && depth-- == 0) return n
+        if (c == "," && depth == 0) n++
+    }
+    return -1 }'
+
 # defined DIR: "kind name arguments file" for each guard, type, macro and function of the headers below DIR
 defined() {
-    headers "$1" | xargs awk '
-        function count(list,   i, c, depth, n) {  # of arguments, from behind the parenthesis
-            n = list ~ /^ *(void)? *\)/ ? 0 : 1; depth = 0
-            for (i = 1; i <= length(list); i++) {
-                c = substr(list, i, 1)
-                if (c ~ /[({[]/) depth++
-                if (c ~ /[]})]/ && depth-- == 0) return n
-                if (c == "," && depth == 0) n++
-            }
-            return -1 }
+    headers "$1" | xargs awk "$count"'
         function said(kind, name, n) { print kind, name, n, FILENAME }
         # EIGHT(name) is a name in each dialect, EIGHT_FILE what is compiled in them (15)
         /^#define EIGHT_FILE/ { next }
@@ -64,16 +66,7 @@ clashes() {
 
 # promises DIR DEFINED: calls in contracts of what does not exist, or takes another number of arguments
 promises() {
-    headers "$1" | xargs awk '
-        function count(list,   i, c, depth, n) {
-            n = list ~ /^ *\)/ ? 0 : 1; depth = 0
-            for (i = 1; i <= length(list); i++) {
-                c = substr(list, i, 1)
-                if (c ~ /[({[]/) depth++
-                if (c ~ /[]})]/ && depth-- == 0) return n
-                if (c == "," && depth == 0) n++
-            }
-            return -1 }
+    headers "$1" | xargs awk "$count"'
         FILENAME == ARGV[1] { if ($1 == "function" || $1 == "macro") takes[$2] = takes[$2] " " $3; next }
         FNR == 1 { contract = 1; text = "" }
         contract { line = $0; gsub(/"[^"]*"/, "s", line); text = text "\n" line }
