@@ -60,7 +60,7 @@ int main(int argc, char **argv)
     s.x = items_of_mesh(&s.m);
     o.own = path || pixel;
     if (pixel) pixel_explain(&o, &s.m, how, !path, pixel);
-    else draw_mesh(&o, &s.m, how, !path, path);
+    else trial_draw_mesh(&o, &s, &bvh_trial, &how, !path, "14_bvh.png", path);
     if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
     trial_scene_free(&s);
     return output_done(&o);

@@ -47,11 +47,14 @@ int main(int argc, char **argv)
     if (path && !obj_read(path, &m, &f)) fail(f);
     if (!path) m = teapot_mesh(o.quick ? 8 : 40);
     o.own = path || rays;
-    items x = items_of_mesh(&m);
-    if (rays) search_file(&o, &x, path ? path : "teapot", rays, hits, any);
-    else draw_mesh(&o, &m, path);
+    bvh8_options how = bvh8_defaults;
+    trial_scene s;
+    trial_scene_of(m, &s);
+    how.threads = o.threads;
+    if (rays) search_file(&o, &s.x, path ? path : "teapot", rays, hits, any);
+    else trial_draw_mesh(&o, &s, &bvh8_trial, &how, !path, "15_wide_bvh.png", path);
     if (!o.own && !o.out) draw_lanes(&o), measure(&o, false);
     if (!o.own && !o.out && o.full) measure(&o, true);
-    mesh_free(&m);
+    trial_scene_free(&s);
     return output_done(&o);
 }

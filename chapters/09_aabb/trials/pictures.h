@@ -9,6 +9,8 @@
  *                                     with its structure, camera and colours
  *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
+ *   trial_draw_mesh(&o, &s, &v, &how, z_up, "14_bvh.png", path);   the main picture: under the
+ *                                     headlight, and what it took; path: the mesh's file, or NULL
  */
 #ifndef TRIALS_PICTURES_H
 #define TRIALS_PICTURES_H
@@ -17,6 +19,7 @@
 #include "../../../common/lab/heat.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
+#include "../../../common/output.h"
 #include "bench.h"
 
 typedef struct {
@@ -110,6 +113,27 @@ static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z
     for (int k = 0; k < n; k++)
         panel[k] = (trial_panel){s, p.verbs, how[k], c, p.most, 1, trial_work_colour};
     return trial_draw_panels(all, across, down, 0, panel, threads);
+}
+
+static inline void trial_draw_mesh(const options *o, const trial_scene *s, const trial_verbs *v,
+                                   const void *how, bool z_up, const char *book, const char *path)
+{
+    char name[512];
+    vec3 lo, hi;
+    int samples = o->quick ? 1 : 3;
+    image im = image_new(o->width, o->height);
+    trial_row r = {.verbs = v, .how = how};
+    trial_time_build(&r, s, 1);
+    mesh_bounds(&s->m, &lo, &hi);
+    camera c = camera_of(lo, hi, z_up, (real)o->width / (real)o->height);
+    trial_picture p = {v, r.built, &s->m, c, o->width, o->height, 0};
+    double start = clock_seconds();
+    bool whole = pixels_draw(&im, samples, o->threads, "picture", trial_mesh_colour, &p);
+    printf("# %zu triangles: built in %.3f s, %d x %d pixels of %d rays in %.3f s\n",
+           s->m.triangles, r.build, o->width, o->height, samples * samples,
+           clock_seconds() - start);
+    output_picture(o, &im, picture_name(book, path, name), true, whole);
+    trial_unbuild(&r), image_free(&im);
 }
 
 #endif

@@ -1,7 +1,6 @@
-/* rays.h: what main.c calls: a picture of a mesh, and rays from a file (07_mesh/files/ray_file.h),
- * so that the search can be compared from outside.
+/* rays.h: rays from a file (07_mesh/files/ray_file.h), so that the search can be compared from
+ * outside.
  *
- *   draw_mesh(o, &m, path)           under the headlight; path: its file, or NULL
  *   search_file(o, &x, name, rays, hits, any)     one thread, the median of seven passes
  */
 #ifndef WIDE_RAYS_H
@@ -13,31 +12,6 @@
 #include "measure.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline void draw_mesh(const options *o, const mesh *m, const char *path)
-{
-    vec3 lo, hi;
-    char name[512];
-    bvh8 w;
-    failure f;
-    items x = items_of_mesh(m);
-    bvh8_options how = bvh8_defaults;
-    how.threads = o->threads;
-    double start = clock_seconds();
-    if (!bvh8_build(&x, how, &w, &f)) fail(f);
-    double built = clock_seconds();
-    mesh_bounds(m, &lo, &hi);
-    image im = image_new(o->width, o->height);
-    camera c = camera_of(lo, hi, !path, (real)o->width / (real)o->height);
-    trial_picture p = {&bvh8_trial, &w, m, c, o->width, o->height, 0};
-    int samples = o->quick ? 1 : 3;
-    bool whole = pixels_draw(&im, samples, o->threads, "picture", trial_mesh_colour, &p);
-    printf("# %zu triangles: built in %.3f s, %d x %d pixels of %d rays in %.3f s\n", m->triangles,
-           built - start, o->width, o->height, samples * samples, clock_seconds() - built);
-    output_picture(o, &im, picture_name("15_wide_bvh.png", path, name), true, whole);
-    bvh8_free(&w);
-    image_free(&im);
-}
 
 static inline void search_file(const options *o, const items *x, const char *name,
                                const char *rays, const char *hits_path, bool any)
