@@ -1,5 +1,6 @@
 /* 16's first.h: rays, hits and normals of instances.h for instances turned, stretched and sheared;
  * what a transform that flattens, and what a great distance, make of it. */
+#include "aimed.h"
 #include "check.h"
 #include "../common/random.h"
 #include "../chapters/16_instances/first.h"
@@ -35,11 +36,9 @@ static affine any_place(random_stream *g)
 
 static mesh mesh_of_knot(const first_mesh *f)
 {
-    mesh m = {.vertices = 3 * (size_t)f->n, .triangles = (size_t)f->n};
-    m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
+    mesh m = mesh_room((size_t)f->n);
     for (size_t i = 0; i < m.triangles; i++)
-        m.v[3 * i] = f->tri[i].a, m.v[3 * i + 1] = f->tri[i].b, m.v[3 * i + 2] = f->tri[i].c;
+        set_triangle(&m, i, f->tri[i].a, f->tri[i].b, f->tri[i].c);
     return m;
 }
 

@@ -7,12 +7,6 @@
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/17_compare/first.h"
 
-static vec3 random_vec3(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 /* Hits of every structure against first_mesh_hit's, and, if m is given, its against mesh_hit's. */
 static void compare(const first_mesh *f, const mesh *m, vec3 middle, real size, const char *what)
 {
@@ -21,8 +15,8 @@ static void compare(const first_mesh *f, const mesh *m, vec3 middle, real size, 
     first_contest_build(f, &c);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(1, i, 0);
-        vec3 from = vadd(middle, vscale(vunit(random_vec3(&g, 1)), 3 * size));
-        ray r = ray_between(from, vadd(middle, random_vec3(&g, size)));
+        vec3 from = vadd(middle, vscale(vunit(random_in_cube(&g, 1)), 3 * size));
+        ray r = ray_between(from, vadd(middle, random_in_cube(&g, size)));
         if (i % 2) r.tmax = real_infinity;
         hit due = hit_none, robust_hit = hit_none;
         first_mesh_hit(f, r, &due);

@@ -121,7 +121,7 @@ static void test_ball(void)
         s.media[1] = (medium){(real)1.1 + random_next(&q), {1 / R, (real)0.5 / R, 0}, 0};
         stage_add(&s, shape_of_sphere(b), whitted_clear(1, 1));
         tracer t = stage_begin(&s, 4);
-        vec3 from = {2 * random_next(&q) - 1, 2 * random_next(&q) - 1, 2 * random_next(&q) - 1};
+        vec3 from = random_in_cube(&q, 1);
         vec3 at = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q) / 2};
         ray r = ray_between(vmadd(b.c, vunit(from), 4 * R), vmadd(b.c, at, R));
         r.tmax = real_infinity;

@@ -14,7 +14,7 @@
 
 static random_stream rng;
 static real uniform(void) { return 2 * random_next(&rng) - 1; }
-static vec3 in_cube(real r) { return (vec3){r * uniform(), r * uniform(), r * uniform()}; }
+static vec3 in_cube(real r) { return random_in_cube(&rng, r); }
 
 /* A ball of triangles, outward, corners shared. */
 static mesh ball_mesh(int levels)

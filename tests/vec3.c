@@ -6,7 +6,7 @@
 
 static random_stream stream;
 static real uniform(void) { return 2 * random_next(&stream) - 1; }
-static vec3 random_vec3(void) { return (vec3){uniform(), uniform(), uniform()}; }
+static vec3 random_vec3(void) { return random_in_cube(&stream, 1); }
 
 static double exact_length(vec3 a) { return wide_value(wide3_length(wide3_of(a))); }
 

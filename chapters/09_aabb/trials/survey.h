@@ -43,8 +43,7 @@ static inline ray_set rays_primary(camera c, int width, int height)
 /* A direction about n with density cos / pi: n plus a point of the unit sphere. */
 static inline vec3 diffuse_direction(vec3 n, random_stream *g)
 {
-    real z = 2 * random_next(g) - 1, phi = 2 * pi * random_next(g), s = sqrt(1 - z * z);
-    return vadd(n, (vec3){s * cos(phi), s * sin(phi), z});
+    return vadd(n, random_unit(g));
 }
 
 /* Where a ray leaves what it hit at t, of normal n: a little off it, by 1e-4 of the distance that
