@@ -9,10 +9,11 @@
  *   EIGHT_FMA(a, b, c): a b + c                  one or two    one        one
  *   EIGHT_FAR(a, b): the larger of |a|, |b|      three         three      one
  *   EIGHT_LE(a, b): lanes of ones where a <= b   one           one        one
- *   EIGHT_BITS(lanes): eight bits, a sign each   eight         one        one
- *   EIGHT_LE_BITS(a, b): both                    nine          two        one
+ *   EIGHT_BITS(lanes): a set, of their signs     six           one        one
+ *   EIGHT_LE_BITS(a, b): both                    seven         two        one
  *
- * Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
+ * An eight_set has a bit a lane, in plain C one in each byte: EIGHT_STEP apart. EIGHT_FIRST(set): its
+ * lowest lane. Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
  * C compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and
  * up). Where a lane is NaN, MIN and MAX give b, and a <= b is false.
  */
@@ -27,6 +28,8 @@ typedef int32_t eight_whole __attribute__((vector_size(32)));
 typedef uint32_t eight_count __attribute__((vector_size(32)));
 typedef int32_t whole4 __attribute__((vector_size(16)));
 typedef float floats4 __attribute__((vector_size(16)));
+typedef int8_t bytes16 __attribute__((vector_size(16)));
+typedef uint64_t eight_set;
 typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
 
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
@@ -47,10 +50,10 @@ typedef __m256 eight;
 #define EIGHT_LE(a, b) \
     (EIGHT_DIALECT ? (eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ) : (eight_whole)((a) <= (b)))
 #define EIGHT_BITS(lanes) \
-    (EIGHT_DIALECT ? (unsigned)_mm256_movemask_ps((eight)(lanes)) \
+    (EIGHT_DIALECT ? (eight_set)_mm256_movemask_ps((eight)(lanes)) \
      : eight_bits((const eight_whole[]){lanes}))
 #define EIGHT_LE_BITS(a, b) \
-    (EIGHT_DIALECT == 2 ? (unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) \
+    (EIGHT_DIALECT == 2 ? (eight_set)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) \
      : EIGHT_BITS(EIGHT_LE(a, b)))
 #else
 #define EIGHT_X86 0
@@ -63,6 +66,9 @@ typedef float eight __attribute__((vector_size(32), may_alias));
 #define EIGHT_BITS(lanes) eight_bits((const eight_whole[]){lanes})
 #define EIGHT_LE_BITS(a, b) EIGHT_BITS(EIGHT_LE(a, b))
 #endif
+
+#define EIGHT_STEP (EIGHT_DIALECT ? 1 : 8)
+#define EIGHT_FIRST(set) (__builtin_ctzll(set) / EIGHT_STEP)
 
 /* For dialects.h. EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512. A function
  * that is compiled for a target may be called only where the machine has its instructions. */
@@ -122,18 +128,23 @@ static inline floats4 floats4_max(floats4 a, floats4 b)
 __attribute__((always_inline))
 static inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
 
-/* A bit a lane, and then all ORed. */
+/* The low bytes of the lanes, side by side: no operator makes one bit of a lane, and eight lanes to
+ * eight bytes are one shuffle a half. */
+#ifdef __clang__
+#define BYTES16(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define BYTES16(a, b, ...) __builtin_shuffle(a, b, (bytes16){__VA_ARGS__})
+#endif
 __attribute__((always_inline))
-static inline unsigned eight_bits(const eight_whole *x)
+static inline eight_set eight_bits(const eight_whole *x)
 {
-    const eight_whole bit = *x & (eight_whole){1, 2, 4, 8, 16, 32, 64, 128};
-    whole4 half[2];
-    uint64_t m[2];
-    memcpy(half, &bit, sizeof half);
-    half[0] |= half[1];
-    memcpy(m, half, sizeof m);
-    m[0] |= m[1];
-    return (unsigned)(m[0] | m[0] >> 32);
+    bytes16 half[2];
+    eight_set m;
+    memcpy(half, x, sizeof half);
+    half[0] = BYTES16(half[0], half[1], 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28);
+    memcpy(&m, half, sizeof m);
+    m = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ ? __builtin_bswap64(m) : m;
+    return m & 0x0101010101010101u;
 }
 
 static inline eight_dialect eight_best(void)

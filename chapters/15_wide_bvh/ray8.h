@@ -145,28 +145,6 @@ static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *ski
     return true;
 }
 
-/* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
- * child is one whole number: the bits of t, which rise with t, and then its own. */
-__attribute__((always_inline))
-static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *enter,
-                            uint64_t *stack, int top)
-{
-    const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
-    int base = top, k = __builtin_ctz(mask);
-    uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
-    while (mask &= mask - 1) {
-        k = __builtin_ctz(mask);
-        uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
-        uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
-        near = next < near ? next : near;
-        int j = top++;
-        for (; j > base && stack[j - 1] < far; j--) stack[j] = stack[j - 1];
-        stack[j] = far;
-    }
-    stack[top++] = near;
-    return top;
-}
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* What is left of it. */

@@ -10,9 +10,9 @@
  * left. A search for any hit ends there.
  */
 
-/* (15.2) of eight children: a bit for each that is met, and where, not before 0. */
+/* (15.2) of eight children: those that are met, and where, not before 0. */
 __attribute__((always_inline))
-static inline unsigned EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
+static inline eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
 {
     eight near[3], far[3];
     EIGHT_UNROLL
@@ -75,18 +75,40 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     eight first = t - error, last = t + error;
     eight_whole sure = EIGHT_LE(bound * 2.02f, EIGHT_MAX(v.lo, -v.hi));
     maybe &= ~sure | (EIGHT_LE(first, EIGHT_ALL(q->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), last));
-    unsigned left = EIGHT_BITS(maybe);
+    eight_set left = EIGHT_BITS(maybe);
     if (left == 0) return false;
-    unsigned safe = EIGHT_BITS(maybe & sure & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
+    eight_set safe = EIGHT_BITS(maybe & sure & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
                                & EIGHT_LE(last, EIGHT_ALL(q->sure_max)));
     if (any && safe) return true;
     bool doubt = left != safe || q->doubts > bvh8_most_doubts - 16;
     for (; left; left &= left - 1) {
-        int k = __builtin_ctz(left);
+        int k = EIGHT_FIRST(left);
         q->doubt[q->doubts++] = (bvh8_doubt){b, k, sure[k] ? first[k] : -INFINITY};
-        if (safe >> k & 1 && last[k] < q->limit) q->limit = last[k];
+        if (safe >> EIGHT_STEP * k & 1 && last[k] < q->limit) q->limit = last[k];
     }
     return doubt && bvh8_settle(w, q) && any;
+}
+
+/* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
+ * child is one whole number: the bits of t, which rise with t, and then its own. */
+__attribute__((always_inline))
+static inline int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eight *enter,
+                                   uint64_t *stack, int top)
+{
+    const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
+    int base = top, k = EIGHT_FIRST(mask);
+    uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
+    while (mask &= mask - 1) {
+        k = EIGHT_FIRST(mask);
+        uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
+        uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
+        near = next < near ? next : near;
+        int j = top++;
+        for (; j > base && stack[j - 1] < far; j--) stack[j] = stack[j - 1];
+        stack[j] = far;
+    }
+    stack[top++] = near;
+    return top;
 }
 
 /* True: any hit is enough, and there is one. */
@@ -99,12 +121,12 @@ static inline bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search
         while (!(at & bvh8_leaf)) {
             const bvh8_node *n = &w->node[at];
             eight enter;
-            unsigned mask = EIGHT(bvh8_boxes)(n, q, &enter);
+            eight_set mask = EIGHT(bvh8_boxes)(n, q, &enter);
             if (work) work->nodes++;
             if (mask == 0) goto next;
-            at = n->child[__builtin_ctz(mask)];
+            at = n->child[EIGHT_FIRST(mask)];
             if ((mask & (mask - 1)) == 0) continue;
-            top = bvh8_push(n, mask, &enter, stack, top);
+            top = EIGHT(bvh8_push)(n, mask, &enter, stack, top);
             at = (uint32_t)stack[--top];
         }
         at &= ~bvh8_leaf;

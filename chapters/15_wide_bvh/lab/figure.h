@@ -43,14 +43,14 @@ static inline void lanes_box(figure *g, const bvh8 *w, const bvh8_node *n, int k
 }
 
 static inline void lanes_cells(figure *g, int row, const char *name, const eight *values,
-                               unsigned met, const char *colour)
+                               eight_set met, const char *colour)
 {
     double y = 24 * row;
     char text[16];
     figure_text(g, 0, -y, -10, 16, FIGURE_RIGHT, FIGURE_BLACK, name);
     for (int k = 0; k < 8; k++) {
         double x = 62 * k, xy[8] = {x, -y, x + 60, -y, x + 60, -y - 22, x, -y - 22};
-        bool in = met >> k & 1;
+        bool in = met >> 8 * k & 1;
         figure_polygon(g, 4, xy, in ? FIGURE_ORANGE : colour, in ? 0.3 : 0.08, FIGURE_GREY);
         if (values) snprintf(text, sizeof text, "%.2f", (double)(*values)[k]);
         else snprintf(text, sizeof text, "%d", row ? in : k);
@@ -82,7 +82,7 @@ static inline void draw_lanes(const options *o)
             end = float_min(bvh8_row(n, q.far[a])[k] * q.inverse[a] + q.far_o[a], end);
         exit[k] = end;
     }
-    unsigned met = bvh8_boxes_0(n, &q, &enter);
+    eight_set met = bvh8_boxes_0(n, &q, &enter);
     for (int k = 0; k < 8; k++)
         enter[k] /= (float)q.scale, exit[k] /= (float)q.scale;
     figure_origin(&g, 330, 165, 130);
@@ -92,7 +92,7 @@ static inline void draw_lanes(const options *o)
             xy[2 * k] = (double)m.v[3 * i + k].x, xy[2 * k + 1] = (double)m.v[3 * i + k].y;
         figure_polygon(&g, 3, xy, FIGURE_SKY, 0.6, FIGURE_BLUE);
     }
-    for (int k = 0; k < 8; k++) lanes_box(&g, &w, n, k, met >> k & 1);
+    for (int k = 0; k < 8; k++) lanes_box(&g, &w, n, k, met >> 8 * k & 1);
     figure_arrow(&g, -1.9, -0.62, 2.2, 1.02, FIGURE_BLACK, 2);
     figure_text(&g, -1.9, -0.62, 0, 18, FIGURE_LEFT, FIGURE_BLACK, "*o* + _t_ *d*");
     figure_origin(&g, 110, 345, 1);

@@ -10,7 +10,7 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
     hit best = hit_none;
     if (w->nodes == 0 || !w->block || !bvh8_ray_of(w, r, &bvh8_skip_none, &q)) return false;
     for (uint32_t at = 0;;) {
-        unsigned mask = 0;
+        eight_set mask = 0;
         if (at & bvh8_leaf) {
             const bvh8_block *b = &w->block[at & ~bvh8_leaf];
             EIGHT(bvh8_view) v;
@@ -21,10 +21,10 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
                 eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
                 eight t = (sum * scaled - q.oz) * q.sz, U = v.e[1] * scaled, V = v.e[2] * scaled;
                 in &= EIGHT_LE(t, EIGHT_ALL(q.limit)) & EIGHT_LE(EIGHT_ALL(q.tmin), t);
-                unsigned left = EIGHT_BITS(in);
+                eight_set left = EIGHT_BITS(in);
                 if (left && !out) return true;
                 for (; left; left &= left - 1) {
-                    int k = __builtin_ctz(left);
+                    int k = EIGHT_FIRST(left);
                     if (t[k] > q.limit || b->index[k] == no_shape) continue;
                     q.limit = t[k];
                     best = (hit){(real)t[k], (real)U[k], (real)V[k], b->index[k]};
@@ -34,9 +34,9 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             const bvh8_node *n = &w->node[at];
             eight enter;
             mask = EIGHT(bvh8_boxes)(n, &q, &enter);
-            if (mask) at = n->child[__builtin_ctz(mask)];
+            if (mask) at = n->child[EIGHT_FIRST(mask)];
             if (mask & (mask - 1)) {
-                top = bvh8_push(n, mask, &enter, stack, top);
+                top = EIGHT(bvh8_push)(n, mask, &enter, stack, top);
                 at = (uint32_t)stack[--top];
             }
         }

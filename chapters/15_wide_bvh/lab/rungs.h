@@ -26,16 +26,16 @@ static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float 
     return begin <= end;
 }
 
-static inline unsigned rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool at_once,
+static inline eight_set rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool at_once,
                                   float enter[8])
 {
-    unsigned mask = 0;
+    eight_set mask = 0;
     if (at_once) {
         eight from;
         mask = bvh8_boxes_0(n, q, &from);
         memcpy(enter, &from, sizeof from);
     } else
-        for (int k = 0; k < 8; k++) mask |= (unsigned)rung_box(n, k, q, &enter[k]) << k;
+        for (int k = 0; k < 8; k++) mask |= (eight_set)rung_box(n, k, q, &enter[k]) << 8 * k;
     return mask;
 }
 
@@ -72,9 +72,9 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
             continue;
         }
         const bvh8_node *n = &w->node[now.child];
-        unsigned mask = rung_boxes(n, &q, at_once, enter);
+        eight_set mask = rung_boxes(n, &q, at_once, enter);
         for (int base = top; mask; mask &= mask - 1) {
-            int k = __builtin_ctz(mask), j = top++;
+            int k = __builtin_ctzll(mask) / 8, j = top++;
             for (; nearest && j > base && stack[j - 1].enter < enter[k]; j--)
                 stack[j] = stack[j - 1];
             stack[j] = (rung_waiting){n->child[k], enter[k]};

@@ -23,10 +23,10 @@ static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, str
                 EIGHT(bvh8_triangles)(w, &w->block[at], &q[i], false);
                 continue;
             }
-            unsigned mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], &enter);
+            eight_set mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], &enter);
             nearest = EIGHT_MIN(nearest, enter);
             work->asked++;
-            for (; mask; mask &= mask - 1) rays[__builtin_ctz(mask)] |= 1u << i;
+            for (; mask; mask &= mask - 1) rays[EIGHT_FIRST(mask)] |= 1u << i;
         }
         for (int k = 0, base = top; k < 8; k++) {
             if (!rays[k]) continue;
