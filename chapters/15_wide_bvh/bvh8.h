@@ -43,8 +43,7 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Where r lies in memory and was not written just now. */
-__attribute__((always_inline))
-static inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
+eight_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
                                search_work *work)
 {
 #if EIGHT_X86
@@ -55,21 +54,18 @@ static inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit 
 }
 
 /* Field by field: ray8.h says why. */
-__attribute__((always_inline))
-static inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
+eight_inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     return bvh8_ask_at(w, &own, skip, out, work);
 }
 
-__attribute__((always_inline))
-static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
+eight_inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
 {
     return bvh8_ask(w, r, skip, out, NULL);
 }
 
-__attribute__((always_inline))
-static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
+eight_inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
 {
     return bvh8_ask(w, r, skip, NULL, NULL);
 }

@@ -1,21 +1,22 @@
 /* eight.h: eight floats at a time (单指令多数据, SIMD), in three dialects.
  *
  *   eight           eight floats; + - * / work lane by lane, as on one number (GNU vectors)
- *   floats4         four of them: the three axes of a ray; floats4_min(a, b), _max, floats4_abs(a)
+ *   floats4         four of them: the three axes of a ray; floats4_within(a, most), _abs(a)
  *   eight_best()    the best dialect of this machine
  *
- *   what the operators do not say                plain C       AVX2       AVX-512    instructions
- *   EIGHT_MIN(a, b), EIGHT_MAX(a, b)             one           one        one
- *   EIGHT_FMA(a, b, c): a b + c                  one or two    one        one
- *   EIGHT_FAR(a, b): the larger of |a|, |b|      three         three      one
- *   EIGHT_LE(a, b): lanes of ones where a <= b   one           one        one
- *   EIGHT_BITS(lanes): a set, of their signs     six           one        one
- *   EIGHT_LE_BITS(a, b): both                    seven         two        one
+ *   what the operators do not say                plain C    AVX2, AVX-512    instructions
+ *   EIGHT_MIN(a, b), EIGHT_MAX(a, b)             one           one
+ *   EIGHT_FMA(a, b, c): a b + c                  one or two    one
+ *   EIGHT_LE(a, b): lanes of ones where a <= b   one           one
+ *   EIGHT_BITS(lanes): a set, of their signs     six           one
+ *   EIGHT_LE_BITS(a, b): both                    seven         two; one
  *
  * An eight_set has a bit a lane, in plain C one in each byte: EIGHT_STEP apart. EIGHT_FIRST(set): its
- * lowest lane. Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
- * C compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and
- * up). Where a lane is NaN, MIN and MAX give b, and a <= b is false.
+ * lowest lane. Nothing else differs: what is written with these is compiled in each dialect by
+ * dialects.h, where EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, which may
+ * be called only where the machine has its instructions. Plain C compiles for every processor, and
+ * is quick where registers hold eight floats (x86-64-v3 and up). Where a lane is NaN, MIN and MAX
+ * give b, and a <= b is false.
  */
 #ifndef WIDE_EIGHT_H
 #define WIDE_EIGHT_H
@@ -24,66 +25,49 @@
 #include <stdint.h>
 #include <string.h>
 
+typedef float eight __attribute__((vector_size(32), may_alias));
 typedef int32_t eight_whole __attribute__((vector_size(32)));
 typedef uint32_t eight_count __attribute__((vector_size(32)));
-typedef int32_t whole4 __attribute__((vector_size(16)));
-typedef float floats4 __attribute__((vector_size(16)));
-typedef int8_t bytes16 __attribute__((vector_size(16)));
 typedef uint64_t eight_set;
+typedef float floats4 __attribute__((vector_size(16)));
+typedef int32_t whole4 __attribute__((vector_size(16)));
+typedef int8_t bytes16 __attribute__((vector_size(16)));
 typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
 
-#define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
-#define EIGHT_UNROLL _Pragma("GCC unroll 3")
-#define EIGHT_LOOP(name, ...) name((const eight[]){__VA_ARGS__})
 #if defined __x86_64__ && defined __GNUC__
 #define EIGHT_X86 1
 #include <immintrin.h>
-typedef __m256 eight;
-#define EIGHT_MIN(a, b) (EIGHT_DIALECT ? _mm256_min_ps(a, b) : EIGHT_LOOP(eight_min, a, b))
-#define EIGHT_MAX(a, b) (EIGHT_DIALECT ? _mm256_max_ps(a, b) : EIGHT_LOOP(eight_max, a, b))
-#define EIGHT_FMA(a, b, c) \
-    (EIGHT_DIALECT ? _mm256_fmadd_ps(a, b, c) : EIGHT_LOOP(eight_fma, a, b, c))
-#define EIGHT_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define EIGHT_FAR(a, b) \
-    (EIGHT_DIALECT == 2 ? _mm256_range_ps(a, b, 11) : EIGHT_DIALECT \
-     ? _mm256_max_ps(EIGHT_ABS(a), EIGHT_ABS(b)) : EIGHT_LOOP(eight_far, a, b))
-#define EIGHT_LE(a, b) \
-    (EIGHT_DIALECT ? (eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ) : (eight_whole)((a) <= (b)))
-#define EIGHT_BITS(lanes) \
-    (EIGHT_DIALECT ? (eight_set)_mm256_movemask_ps((eight)(lanes)) \
-     : eight_bits((const eight_whole[]){lanes}))
-#define EIGHT_LE_BITS(a, b) \
-    (EIGHT_DIALECT == 2 ? (eight_set)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) \
-     : EIGHT_BITS(EIGHT_LE(a, b)))
+#define EIGHT_SAY(fast, plain) (EIGHT_DIALECT ? (fast) : (plain))
 #else
 #define EIGHT_X86 0
-typedef float eight __attribute__((vector_size(32), may_alias));
-#define EIGHT_MIN(a, b) EIGHT_LOOP(eight_min, a, b)
-#define EIGHT_MAX(a, b) EIGHT_LOOP(eight_max, a, b)
-#define EIGHT_FMA(a, b, c) EIGHT_LOOP(eight_fma, a, b, c)
-#define EIGHT_FAR(a, b) EIGHT_LOOP(eight_far, a, b)
-#define EIGHT_LE(a, b) ((eight_whole)((a) <= (b)))
-#define EIGHT_BITS(lanes) eight_bits((const eight_whole[]){lanes})
-#define EIGHT_LE_BITS(a, b) EIGHT_BITS(EIGHT_LE(a, b))
+#define EIGHT_SAY(fast, plain) (plain)
 #endif
-
+#define EIGHT_MIN(a, b) EIGHT_SAY(_mm256_min_ps(a, b), EIGHT_LOOP(eight_min, a, b))
+#define EIGHT_MAX(a, b) EIGHT_SAY(_mm256_max_ps(a, b), EIGHT_LOOP(eight_max, a, b))
+#define EIGHT_FMA(a, b, c) EIGHT_SAY(_mm256_fmadd_ps(a, b, c), EIGHT_LOOP(eight_fma, a, b, c))
+#define EIGHT_LE(a, b) \
+    EIGHT_SAY((eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ), (eight_whole)((a) <= (b)))
+#define EIGHT_BITS(lanes) \
+    EIGHT_SAY((eight_set)_mm256_movemask_ps((eight)(lanes)), \
+              eight_bits((const eight_whole[]){lanes}))
+#define EIGHT_LE_BITS(a, b)                                                          \
+    EIGHT_SAY(EIGHT_DIALECT == 2 ? (eight_set)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ)   \
+                                 : EIGHT_BITS(EIGHT_LE(a, b)), EIGHT_BITS(EIGHT_LE(a, b)))
+#define EIGHT_FAR(a, b) EIGHT_MAX(EIGHT_ABS(a), EIGHT_ABS(b))
 #define EIGHT_STEP (EIGHT_DIALECT ? 1 : 8)
 #define EIGHT_FIRST(set) (__builtin_ctzll(set) / EIGHT_STEP)
-
-/* For dialects.h. EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512. A function
- * that is compiled for a target may be called only where the machine has its instructions. */
+#define EIGHT_ABS(a) \
+    EIGHT_SAY(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a), (eight)((eight_whole)(a) & INT32_MAX))
+#define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
+#define EIGHT_LOOP(name, ...) name((const eight[]){__VA_ARGS__})
+#define EIGHT_UNROLL _Pragma("GCC unroll 3")
 #define EIGHT_PASTE(name, number) name##_##number
 #define EIGHT_NAME(name, number) EIGHT_PASTE(name, number)
 #define EIGHT(name) EIGHT_NAME(name, EIGHT_DIALECT)
-#define EIGHT_PRAGMA(list) _Pragma(#list)
-#ifdef __clang__
-#define EIGHT_TARGET(names) \
-    EIGHT_PRAGMA(clang attribute push(__attribute__((target(names))), apply_to = function))
-#define EIGHT_TARGET_END _Pragma("clang attribute pop")
-#else
-#define EIGHT_TARGET(names) _Pragma("GCC push_options") EIGHT_PRAGMA(GCC target(names))
-#define EIGHT_TARGET_END _Pragma("GCC pop_options")
-#endif
+
+/* Of what a search of some ten nanoseconds calls: a call would write and read the ray. */
+#define eight_inline __attribute__((always_inline)) static inline
+#define EIGHT_INLINE EIGHT_TARGET eight_inline
 
 /* Warns that other compilers would hand over eight floats otherwise; nobody else is called. */
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -93,8 +77,7 @@ typedef float eight __attribute__((vector_size(32), may_alias));
 /* Loops of one operation: gcc and clang make one instruction of each, with -O2. (A pointer: handed
  * over by value, eight floats take other ways on other processors, and compilers say so.) */
 #define EIGHT_LANES(name, result)                                                   \
-    __attribute__((always_inline))                                                  \
-    static inline eight name(const eight *x)                                        \
+    eight_inline eight name(const eight *x)                                         \
     {                                                                               \
         eight out;                                                                  \
         for (int k = 0; k < 8; k++) { float a = x[0][k], b = x[1][k]; out[k] = result; } \
@@ -102,31 +85,11 @@ typedef float eight __attribute__((vector_size(32), may_alias));
     }
 EIGHT_LANES(eight_min, a < b ? a : b)
 EIGHT_LANES(eight_max, a > b ? a : b)
-EIGHT_LANES(eight_far, fabsf(a) > fabsf(b) ? fabsf(a) : fabsf(b))
 #ifdef FP_FAST_FMAF
 EIGHT_LANES(eight_fma, fmaf(a, b, x[2][k]))
 #else
 EIGHT_LANES(eight_fma, a * b + x[2][k])
 #endif
-
-#define FLOATS4_ALL(x) ((floats4){x, x, x, x})
-
-__attribute__((always_inline))
-static inline floats4 floats4_min(floats4 a, floats4 b)
-{
-    for (int k = 0; k < 4; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
-    return a;
-}
-
-__attribute__((always_inline))
-static inline floats4 floats4_max(floats4 a, floats4 b)
-{
-    for (int k = 0; k < 4; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
-    return a;
-}
-
-__attribute__((always_inline))
-static inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
 
 /* The low bytes of the lanes, side by side: no operator makes one bit of a lane, and eight lanes to
  * eight bytes are one shuffle a half. */
@@ -135,8 +98,7 @@ static inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT3
 #else
 #define BYTES16(a, b, ...) __builtin_shuffle(a, b, (bytes16){__VA_ARGS__})
 #endif
-__attribute__((always_inline))
-static inline eight_set eight_bits(const eight_whole *x)
+eight_inline eight_set eight_bits(const eight_whole *x)
 {
     bytes16 half[2];
     eight_set m;
@@ -145,6 +107,16 @@ static inline eight_set eight_bits(const eight_whole *x)
     memcpy(&m, half, sizeof m);
     m = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ ? __builtin_bswap64(m) : m;
     return m & 0x0101010101010101u;
+}
+
+eight_inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
+
+/* From -most to most; NaN stays NaN. */
+eight_inline floats4 floats4_within(floats4 a, float most)
+{
+    for (int k = 0; k < 4; k++) a[k] = most < a[k] ? most : a[k];
+    for (int k = 0; k < 4; k++) a[k] = -most > a[k] ? -most : a[k];
+    return a;
 }
 
 static inline eight_dialect eight_best(void)

@@ -75,13 +75,12 @@ static inline float bvh8_limit(const bvh8_ray *q, real t)
 
 /* All four ends of the interval so. Infinite ones are made finite first: inf - inf is no number. A
  * NaN stays one, and no t lies in its interval. */
-__attribute__((always_inline))
-static inline void bvh8_interval(bvh8_ray *q, const ray *r)
+eight_inline void bvh8_interval(bvh8_ray *q, const ray *r)
 {
     double a = (double)r->tmin * q->scale - q->shift, b = (double)r->tmax * q->scale - q->shift;
     floats4 f = {(float)(a - q->slack), (float)(b + q->slack), (float)(a + q->slack),
               (float)(b - q->slack)};
-    f = floats4_max(FLOATS4_ALL(-FLT_MAX), floats4_min(FLOATS4_ALL(FLT_MAX), f));
+    f = floats4_within(f, FLT_MAX);
     q->ends = f + floats4_abs(f) * (floats4){-0x1p-22f, 0x1p-22f, 0x1p-22f, -0x1p-22f};
 }
 
@@ -101,8 +100,7 @@ static bool bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real *size)
 }
 
 /* What triangles need: (4.9), from the axis along which d is longest. */
-__attribute__((always_inline))
-static inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
+eight_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
 {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     int kz = vlongest(q->r->d), kx = next[kz + 1], ky = next[kz + 2];
@@ -116,8 +114,7 @@ static inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float
 
 /* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
  * was written waits for all that is under way. Sums are NaN or too large where any number is. */
-__attribute__((always_inline))
-static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
+eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
     vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
     real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
@@ -133,7 +130,7 @@ static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *ski
     float S = (float)size, owed = (float)(way * real_epsilon);
     floats4 o = {(float)at.x, (float)at.y, (float)at.z, 1};
     floats4 along = {(float)d.x, (float)d.y, (float)d.z, 1}, i = 1 / along;
-    q->inverse = i = floats4_max(floats4_min(i, FLOATS4_ALL(0x1p60f)), FLOATS4_ALL(-0x1p60f));
+    q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     q->near_o = -(o * i) - error, q->far_o = error - o * i;
     EIGHT_UNROLL
@@ -148,8 +145,7 @@ static inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *ski
 /* ---------------------------------------------------------------------------------------------- */
 
 /* What is left of it. */
-__attribute__((always_inline))
-static inline ray bvh8_rest(const bvh8_ray *q)
+eight_inline ray bvh8_rest(const bvh8_ray *q)
 {
     return (ray){q->r->o, q->r->tmin, q->r->d, q->tmax};
 }
@@ -207,8 +203,7 @@ static bool bvh8_sphere(const sphere *x, uint32_t i, bvh8_ray *q)
     return q->best.shape != no_shape;
 }
 
-__attribute__((always_inline))
-static inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
+eight_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
     const bvh8_skip *but = q->skip;

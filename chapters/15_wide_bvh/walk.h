@@ -11,8 +11,7 @@
  */
 
 /* (15.2) of eight children: those that are met, and where, not before 0. */
-__attribute__((always_inline))
-static inline eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
+EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
 {
     eight near[3], far[3];
     EIGHT_UNROLL
@@ -31,8 +30,7 @@ static inline eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q,
 /* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
 typedef struct { eight x[3], y[3], z[3], e[3], lo, hi; } EIGHT(bvh8_view);
 
-__attribute__((always_inline))
-static inline void EIGHT(bvh8_look)(const bvh8_block *b, const bvh8_ray *q, EIGHT(bvh8_view) *v)
+EIGHT_INLINE void EIGHT(bvh8_look)(const bvh8_block *b, const bvh8_ray *q, EIGHT(bvh8_view) *v)
 {
     EIGHT_UNROLL
     for (int i = 0; i < 3; i++) {
@@ -50,8 +48,7 @@ static inline void EIGHT(bvh8_look)(const bvh8_block *b, const bvh8_ray *q, EIGH
     v->hi = EIGHT_MAX(EIGHT_MAX(v->e[0], v->e[1]), v->e[2]);
 }
 
-__attribute__((always_inline))
-static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8_ray *q, bool any)
+EIGHT_INLINE bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8_ray *q, bool any)
 {
     EIGHT(bvh8_view) v;
     EIGHT(bvh8_look)(b, q, &v);
@@ -78,7 +75,7 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     eight_set left = EIGHT_BITS(maybe);
     if (left == 0) return false;
     eight_set safe = EIGHT_BITS(maybe & sure & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
-                               & EIGHT_LE(last, EIGHT_ALL(q->sure_max)));
+                                & EIGHT_LE(last, EIGHT_ALL(q->sure_max)));
     if (any && safe) return true;
     bool doubt = left != safe || q->doubts > bvh8_most_doubts - 16;
     for (; left; left &= left - 1) {
@@ -91,9 +88,8 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
 
 /* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
  * child is one whole number: the bits of t, which rise with t, and then its own. */
-__attribute__((always_inline))
-static inline int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eight *enter,
-                                   uint64_t *stack, int top)
+EIGHT_INLINE int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eight *enter,
+                                  uint64_t *stack, int top)
 {
     const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
     int base = top, k = EIGHT_FIRST(mask);
@@ -112,8 +108,7 @@ static inline int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eig
 }
 
 /* True: any hit is enough, and there is one. */
-__attribute__((always_inline))
-static inline bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_work *work)
+EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_work *work)
 {
     uint64_t stack[512];
     int top = 0;
@@ -140,7 +135,7 @@ static inline bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search
     }
 }
 
-__attribute__((noinline))
+EIGHT_TARGET __attribute__((noinline))
 static bool EIGHT(bvh8_search)(const bvh8 *w, const ray *r, const bvh8_skip *skip, hit *out,
                                search_work *work)
 {

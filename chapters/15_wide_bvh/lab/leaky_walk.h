@@ -1,7 +1,7 @@
 /* leaky_walk.h: bvh8_search of walk.h, which believes what it has computed. Compiled once in each
  * dialect, by dialects.h: no guard.
  */
-__attribute__((noinline))
+EIGHT_TARGET __attribute__((noinline))
 static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
 {
     uint64_t stack[512];
@@ -16,7 +16,7 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             EIGHT(bvh8_view) v;
             EIGHT(bvh8_look)(b, &q, &v);
             eight_whole in = EIGHT_LE(EIGHT_ALL(0), v.lo) | EIGHT_LE(v.hi, EIGHT_ALL(0));
-            if (EIGHT_BITS(in)) {
+            if (EIGHT_BITS(in) != 0) {
                 eight scaled = 1 / (v.e[0] + v.e[1] + v.e[2]);
                 eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
                 eight t = (sum * scaled - q.oz) * q.sz, U = v.e[1] * scaled, V = v.e[2] * scaled;

@@ -1,5 +1,5 @@
 /* stream_walk.h: the search of stream.h. Compiled once in each dialect, by dialects.h: no guard. */
-__attribute__((noinline))
+EIGHT_TARGET __attribute__((noinline))
 static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, stream_work *work)
 {
     const bvh8_skip none = bvh8_skip_none;
