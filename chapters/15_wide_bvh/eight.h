@@ -11,12 +11,11 @@
  *   EIGHT_BITS(lanes): a set, of their signs     six           one
  *   EIGHT_LE_BITS(a, b): both                    seven         two; one
  *
- * An eight_set has a bit a lane, in plain C one in each byte: EIGHT_STEP apart. EIGHT_FIRST(set): its
- * lowest lane. Nothing else differs: what is written with these is compiled in each dialect by
- * dialects.h, where EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, which may
- * be called only where the machine has its instructions. Plain C compiles for every processor, and
- * is quick where registers hold eight floats (x86-64-v3 and up). Where a lane is NaN, MIN and MAX
- * give b, and a <= b is false.
+ * An eight_set has a bit a lane, EIGHT_STEP apart: in plain C one in each byte. EIGHT_FIRST(set):
+ * its lowest lane. What is written with these is compiled in each dialect by dialects.h: there
+ * EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where the
+ * machine has its instructions. Plain C compiles for every processor, and is quick where registers
+ * hold eight floats (x86-64-v3 and up). Where a lane is NaN, MIN and MAX give b, a <= b is false.
  */
 #ifndef WIDE_EIGHT_H
 #define WIDE_EIGHT_H

@@ -4,27 +4,17 @@
  *   bvh8_limit(&q, t)                     t in the frame, rather too large
  *   bvh8_settle(&w, &q)                   asks in `real` what was written down: the test of 04
  *
- * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
- * most 1 there, distances to them at most 2 S. eps is that of `real`.
+ * S is the largest of 1 and the origin's coordinates, all in the frame; u = 2^-24; eps is that of
+ * `real`. MEASURED.md has the sums:
  *
- *   boxes      t = plane / d - o / d -+ delta / |d|. Origin, its shift, 1 / d, the product and the
- *              sum are off as if the plane were moved by 10 u S; items may be found 256 eps times
- *              2 S outside their boxes (14): delta = (16 u + 512 eps) S                   (15.6)
- *   corners    x = ax - sx az - cx, as seen along the ray (4.9), is off by 20 u S: corners u + u,
- *              slope 6 u, its product and sum 3 u, cx = ox - sx oz 5 u, the sum 4 u. What 04 does
- *              in `real` is off by less than 16 eps S: around = (24 u + 16 eps) S         (15.7)
- *   edges      e = ax by - ay bx, with |x|, |y| <= m: the corners' errors are multiplied by four
- *              sides, two products and a sum round, here and in 04:
- *              |error of e| <= 4 m around + 2 around^2 + 16 u m^2 = bound                 (15.8)
- *              e > bound: 04 finds the same sign. Two surely different signs: no hit. Three equal
- *              ones, each e > 2 bound: a hit, wherever t is, and |det| > 6 bound
- *   t          the mean of three depths z, which differ by at most `spread`, with weights e / det.
- *              Errors d of e move it by sum d (z - t) / (det + sum d): at most 2 bound spread /
- *              (|det| - 3 bound) < 4 bound spread / |det|; and the rest of the arithmetic in both
- *              tests: tail = (32 u + 300 eps) S; times 1 / |dz|                           (15.9)
+ *   boxes      planes may be off by delta = (16 u + 512 eps) S                              (15.6)
+ *   corners    along the ray, by around = (24 u + 16 eps) S                                 (15.7)
+ *   edges      by bound = 4 m around + 2 around^2 + 16 u m^2, where |x|, |y| <= m: beyond it the
+ *              sign is that of 04. Two surely different signs: no hit. Three equal ones, each of
+ *              more than 2 bound: a hit, wherever t is                                      (15.8)
+ *   t          of a hit, by (4 bound spread / |det| + tail) / |dz|, tail = (32 u + 300 eps) S (15.9)
  *
  * Where a number overflowed to infinity or NaN, no comparison with a bound is true: in doubt.
- * 1 / d_k is at most 2^60: a ray so nearly along the wall moves by less than delta on it.
  */
 #ifndef WIDE_RAY8_H
 #define WIDE_RAY8_H
@@ -166,29 +156,25 @@ static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 /* How often this thread asked in `real`: for whoever wants to count. */
 static _Thread_local size_t bvh8_asked;
 
-/* Building has asked for the area, so the second half of 04's test needn't. */
-static inline bool bvh8_exactly(const bvh8 *w, const bvh8_doubt *d, bvh8_ray *q, hit *out)
-{
-    const float *c = (const float *)d->block->corner + d->lane;
-    const ray_shear *s = bvh8_shear(q);
-    triangle t;
-    bvh8_asked++;
-    if (!w->exact) t = mesh_triangle(w->x.m, d->block->index[d->lane]);
-    else t = (triangle){bvh8_back(w, c[0], c[8], c[16]), bvh8_back(w, c[24], c[32], c[40]),
-                        bvh8_back(w, c[48], c[56], c[64])};
-    vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), g = shear_corner(&t.c, s);
-    vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
-    return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, bvh8_rest(q), out);
-}
-
-/* True: there is a hit. */
+/* True: there is a hit. Building has asked for the area, so the second half of 04's test needn't. */
 __attribute__((noinline))
 static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
 {
     for (const bvh8_doubt *d = q->doubt; d < q->doubt + q->doubts; d++) {
+        if (!(d->first <= q->limit)) continue;
+        const float *c = (const float *)d->block->corner + d->lane;
+        const ray_shear *s = bvh8_shear(q);
+        const uint32_t i = d->block->index[d->lane];
+        triangle t;
+        if (!w->exact) t = mesh_triangle(w->x.m, i);
+        else t = (triangle){bvh8_back(w, c[0], c[8], c[16]), bvh8_back(w, c[24], c[32], c[40]),
+                            bvh8_back(w, c[48], c[56], c[64])};
+        vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), g = shear_corner(&t.c, s);
+        vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
         hit h;
-        if (d->first <= q->limit && bvh8_exactly(w, d, q, &h))
-            bvh8_keep(q, h, d->block->index[d->lane]);
+        bvh8_asked++;
+        if (!signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, bvh8_rest(q), &h))
+            bvh8_keep(q, h, i);
     }
     q->doubts = 0;
     return q->best.shape != no_shape;
