@@ -5,20 +5,13 @@
  *
  *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
  *   2. A binary tree, from the root down, by surface area in bins, as in 14, except that a leaf
- *      costs as many tests as it has blocks. So a cut into L and R costs                    (15.4)
- *
- *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)
- *
+ *      costs as many tests as it has blocks: a cut into L and R,
+ *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)                                  (15.4)
  *      The children of a cut between items p - 1 and p are nodes 2 p and 2 p + 1: a place that
  *      depends on the items alone, so the tree is the same for any number of threads. Large sets
  *      are cut first, by one; what is small is a job for whoever comes.
- *   3. Collapse. Which of its nodes remain? The areas of those below s, if s may take up to j
- *      places in the node above, add up to at least                                         (15.5)
- *
- *          C(s, 1) = area(s) + C(s, 8)         one place: a node;   0 for a leaf
- *          C(s, j) = min over k of C(left, k) + C(right, j - k), or C(s, j - 1)
- *
- *      from the leaves up: eight numbers a node, and no better collapse of this tree exists.
+ *   3. Collapse. Which of its nodes remain? Those with the least sum of areas, (15.5) of
+ *      MEASURED.md: C(s, j) if s takes up to j places in the node above.
  *   4. Nodes and blocks, in the order of the search: depth first.
  *
  * Sources: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007;
@@ -171,10 +164,9 @@ static inline void bvh8_grow(bvh8_builder *b, bvh8_job j, bool top)
     bvh8_grow(b, (bvh8_job){2 * begin + 1, begin, j.n - left, j.depth + 1}, top);
 }
 
-static inline void bvh8_grow_job(size_t i, void *context)
+static inline void bvh8_grow_job(size_t i, void *b)
 {
-    bvh8_builder *b = context;
-    bvh8_grow(b, b->job[i], false);
+    bvh8_grow(b, ((bvh8_builder *)b)->job[i], false);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -26,10 +26,8 @@
  * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused. A search needs
  * 512 places of a stack: 7 a level, and no tree is deeper than 64.
  *
- * Sources: H. Dammertz, J. Hanika, A. Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD
- * Ray Tracing of Incoherent Rays", EGSR 2008; I. Wald, C. Benthin, S. Boulos, "Getting Rid of
- * Packets", IRT 2008; I. Wald et al., "Embree: A Kernel Framework for Efficient CPU Ray Tracing",
- * SIGGRAPH 2014.
+ * Source: H. Dammertz, J. Hanika, A. Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray
+ * Tracing of Incoherent Rays", EGSR 2008; more on MEASURED.md.
  */
 #ifndef WIDE_BVH8_H
 #define WIDE_BVH8_H
@@ -44,7 +42,7 @@
 
 /* Where r lies in memory and was not written just now. */
 eight_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
-                               search_work *work)
+                              search_work *work)
 {
 #if EIGHT_X86
     if (w->dialect == EIGHT_AVX512) return bvh8_search_2(w, r, &skip, out, work);

@@ -13,9 +13,9 @@
  *
  * An eight_set has a bit a lane, EIGHT_STEP apart: in plain C one in each byte. EIGHT_FIRST(set):
  * its lowest lane. What is written with these is compiled in each dialect by dialects.h: there
- * EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where the
- * machine has its instructions. Plain C compiles for every processor, and is quick where registers
- * hold eight floats (x86-64-v3 and up). Where a lane is NaN, MIN and MAX give b, a <= b is false.
+ * EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where
+ * the machine has its instructions. Plain C compiles for every processor, and is quick where
+ * registers hold eight floats (x86-64-v3 and up). A lane that is NaN: MIN and MAX give b, LE none.
  */
 #ifndef WIDE_EIGHT_H
 #define WIDE_EIGHT_H

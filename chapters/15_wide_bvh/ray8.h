@@ -12,7 +12,7 @@
  *   edges      by bound = 4 m around + 2 around^2 + 16 u m^2, where |x|, |y| <= m: beyond it the
  *              sign is that of 04. Two surely different signs: no hit. Three equal ones, each of
  *              more than 2 bound: a hit, wherever t is                                      (15.8)
- *   t          of a hit, by (4 bound spread / |det| + tail) / |dz|, tail = (32 u + 300 eps) S (15.9)
+ *   t          by (4 bound spread / |det| + tail) / |dz|, tail = (32 u + 300 eps) S        (15.9)
  *
  * Where a number overflowed to infinity or NaN, no comparison with a bound is true: in doubt.
  */
@@ -156,7 +156,7 @@ static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 /* How often this thread asked in `real`: for whoever wants to count. */
 static _Thread_local size_t bvh8_asked;
 
-/* True: there is a hit. Building has asked for the area, so the second half of 04's test needn't. */
+/* True: there is a hit. Building asked for the area, so the second half of 04's test needn't. */
 __attribute__((noinline))
 static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
 {
