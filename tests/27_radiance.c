@@ -92,6 +92,7 @@ static void test_touching(const char *text)
     classic c;
     size_t off = 0, naive = 0, n = w * h;
     set_up(&q, text);
+    q.e.depth = 12;  /* each turn in a ball makes a rounding larger: 12 of them leave it small */
     classic_build(&q.e, &c);
     for (int i = 0; i < w * h; i++) {
         dice d = {.own = 0};
@@ -367,6 +368,24 @@ static void test_light(void)
            mask);
 }
 
+/* A mirror all round that shines: L = Ke + Ks L. By dice on the mean; without chance all but what is
+ * cut at a weight of 1/512; and black rays, which everything adds, do not stand in the way. */
+static void test_deep(void)
+{
+    static const char text[] = "camera from 0 0 0 at 0.3 0.2 -1\nmaterial m\nillum 3\n"
+                               "Ks 0.9 0.97 0.99\nKe 0.1 0.03 0.01\nsphere 0 0 0 2\n";
+    set q;
+    expect("a shining mirror all round", text, (double[3]){1, 1, 1}, 300, EFFECTS_EVERYTHING);
+    set_up(&q, text);
+    check(q.p.effects == EFFECT_MIRROR && !q.e.chance, "calls for %x", q.p.effects);
+    vec3 L = seen_along(&q, camera_ray(q.e.eye, 10, 7, 20, 15));
+    for (int k = 0; k < 3; k++) {
+        check_at_least((double)vaxis(L, k), 1 - 1.0 / 512 - 1e3 * (double)real_epsilon, "cut");
+        check_at_most((double)vaxis(L, k), 1 + 1e3 * (double)real_epsilon, "no more");
+    }
+    tear_down(&q);
+}
+
 /* What a lobe shows of lamps of each kind and of the sky: by its rays alone, by shadow rays alone,
  * by both with weights. False alarms: 1e-7 each. */
 static void test_ways(void)
@@ -437,6 +456,7 @@ int main(void)
     test_many_faces();
     test_left_out();
     test_light();
+    test_deep();
     test_ways();
     remove_all();
     return check_report("27_radiance");

@@ -54,7 +54,7 @@ static inline media_set bodies_along(const effects_stage *e, ray r)
     effects_counts c = {.lost = 0};
     studio_hit x = {hit_none, 0};
     touch at;
-    for (int k = 0; e->near && k < stage_most_depth && studio_tree_hit(&e->t, r, &x); k++) {
+    for (int k = 0; e->near && k < stage_most_faces && studio_tree_hit(&e->t, r, &x); k++) {
         uint32_t n = in.n;
         surface s = studio_surface(&e->t, r, x);
         touch_at(&e->t, e->look, e->near, true, r, x, &s, &at);

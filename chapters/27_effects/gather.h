@@ -82,7 +82,7 @@ static inline vec3 gather_clear(const gather_hit *h, ray r, bool absorbs)
     const effects_stage *e = h->e;
     vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
     media_set in = h->b->in, after = in;
-    for (int k = 0; k < stage_most_depth; k++, in = after) {
+    for (int k = 0; k < stage_most_faces; k++, in = after) {
         studio_hit x;
         touch at = {.opaque.h.shape = no_shape};
         if (!studio_tree_hit(&e->t, r, &x))

@@ -149,6 +149,18 @@ effects_inline void effects_shares(const unsigned mask, const appearance *a, vec
     }
 }
 
+/* Black ones (EFFECTS_SPEND) behind the others: they are traced at once and never wait. */
+static inline int effects_black_last(branch child[4], int n)
+{
+    branch black[4];
+    int kept = 0, b = 0;
+    for (int i = 0; i < n; i++)
+        if (vzero(child[i].weight)) black[b++] = child[i];
+        else child[kept++] = child[i];
+    memcpy(child + kept, black, (size_t)b * sizeof *black);
+    return n;
+}
+
 /* Its children, the one to be traced first last. */
 effects_inline int effects_children(const gather_hit *h, const unsigned mask, const appearance *a,
                                     const snell *x, bool bends, const media_set *after,
@@ -168,7 +180,7 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
                           &child[n++]);
     }
     if (mask & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
-    return n;
+    return mask & EFFECTS_SPEND ? effects_black_last(child, n) : n;
 }
 
 /* Through all faces that lie where glass was met, and the roughest of them gives its material *m.
@@ -227,7 +239,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     bool bends = body && stage_bends(e, a, body, inside, to);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
-        if (b->passed == stage_most_depth) return 0;
+        if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
         if (!bends) effects_straight_on(&h, child);
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
@@ -248,19 +260,21 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     return effects_children(&h, mask, a, &at, bends, body ? &after : NULL, child);
 }
 
-/* The children of a hit are written beside it, so that the next is at hand without being copied; of
- * each level at most three wait. */
+/* The children of a hit are written beside it, so that the next is at hand without being copied. Of
+ * each level at most three wait, and all together weigh, on average, no more than the eye's ray:
+ * what would be one too many is dropped. */
 effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
                                      const unsigned mask, const dice *d, effects_counts *c)
 {
-    branch stack[3 * stage_most_depth + 4], slot[2][4], *b = &slot[0][0];
+    branch stack[stage_most_waiting], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
     *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
                   .cosine = 1, .left = studio_no_face, .kind = RAY_OF_EYE, .depth = 1};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
-        for (int i = 0; i + 1 < n; i++) stack[top++] = slot[other][i];
+        for (int i = 0; i + 1 < n && top < stage_most_waiting; i++)
+            stack[top++] = slot[other][i];
         if (n + top == 0) return sum;
         b = n ? &slot[other][n - 1] : &stack[--top];
         other ^= n > 0;

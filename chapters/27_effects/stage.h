@@ -13,6 +13,9 @@
  *     EFFECTS_DICED    branches are thrown for, even where no effect of the mask is an integral
  *     EFFECTS_GENERAL  drawn by the general copy of special.h, always
  *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan
+ *
+ * A branch ends where its weight does: by dice, or at `least`. `depth` is for mirrors that lose
+ * nothing.
  */
 #ifndef EFFECTS_STAGE_H
 #define EFFECTS_STAGE_H
@@ -31,7 +34,8 @@ enum {
     EFFECTS_DICED = 4 << effect_kinds,
     EFFECTS_EVERYTHING = EFFECTS_ALL | EFFECTS_SPEND,
     RAY_OF_EYE = effect_kinds, effects_rays,
-    stage_most_depth = 128
+    stage_most_depth = 1024, stage_most_waiting = 384,  /* rays behind one another; branches */
+    stage_most_faces = 128                              /* passed without a change of way */
 };
 
 typedef struct {
@@ -55,8 +59,8 @@ typedef struct {
     bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
     bool clear;                      /* a material lets light straight through */
-    int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
-    real least;                      /* weight below which a branch is cut, without chance */
+    int depth;                       /* rays behind one another, the eye's is 1 */
+    real least;                      /* weight at which a branch is cut, without chance */
     camera eye;
     thin_lens lens;
     real hither;
@@ -77,7 +81,6 @@ static inline void effects_stage_effects(effects_stage *e, unsigned mask)
 {
     e->mask = mask;
     e->chance = (mask & (EFFECTS_OF_CHANCE | EFFECTS_DICED)) != 0;
-    e->depth = e->chance ? stage_most_depth : 12;
 }
 
 static inline void effects_stage_materials(effects_stage *e)
@@ -100,7 +103,8 @@ static inline void effects_stage_materials(effects_stage *e)
 
 static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)
 {
-    *out = (effects_stage){.s = s, .least = (real)1 / 512, .headlight = studio_dark(s)};
+    *out = (effects_stage){.s = s, .depth = stage_most_depth, .least = (real)1 / 512,
+                            .headlight = studio_dark(s)};
     if (!studio_tree_build(s, &out->t, f)) return false;
     if (!sky_light_build(&s->sky, &out->sky, f)) {
         studio_tree_free(&out->t);
