@@ -368,6 +368,19 @@ static void test_light(void)
            mask);
 }
 
+/* A ball of clear glass that shines, R 2, 3 above: each ray meets two faces, L = kd 2 Ke (R/h)^2.
+ * Let into other glass both are hidden: they shine all the same, for shadow rays and for others. */
+static void test_hidden_lamp(void)
+{
+    #define SHINING "camera from 4 1 0 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"              \
+        "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial ball\nKd 0\nKe 9\nNi 1\nillum 6\n"      \
+        "sphere 0 3 0 2\n"
+    unsigned mask = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_REFRACTION;
+    expect("a shining ball of glass", SHINING, (double[3]){4, 4, 4}, 300, mask);
+    expect("let into other glass", SHINING "material cup\nKd 0\nNi 1\nillum 6\npriority 1\n"
+           "sphere 0 3 0 2.5\n", (double[3]){4, 4, 4}, 300, mask);
+}
+
 /* A mirror all round that shines: L = Ke + Ks L. By dice on the mean; without chance all but what is
  * cut at a weight of 1/512; and black rays, which everything adds, do not stand in the way. */
 static void test_deep(void)
@@ -457,6 +470,7 @@ int main(void)
     test_left_out();
     test_light();
     test_deep();
+    test_hidden_lamp();
     test_ways();
     remove_all();
     return check_report("27_radiance");

@@ -238,7 +238,9 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     snell at = {1, 1, 1, 1, false};
     bool bends = body && stage_bends(e, a, body, inside, to);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
-    if (body && to == inside) {  /* the same medium on both sides: no surface */
+    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
+    if (body && to == inside) {  /* the same medium on both sides: no surface, but it may shine */
+        *sum = vadd(*sum, vmul(b->weight, L));
         if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
         if (!bends) effects_straight_on(&h, child);
@@ -246,7 +248,6 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         return 1;
     }
     effects_shares(mask, a, r.d, &h.s, &at, bends, &h.k);
-    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
