@@ -22,7 +22,7 @@
  *
  * Only what is called for:
  *   no ray at all       in scenes in which nothing shines
- *   no light sample     at mirrors, glass, black surfaces; in scenes without lights
+ *   no light sample     at mirrors, smooth glass, black surfaces; in scenes without lights
  *   no shadow ray       where the light's back faces x, or f cos = 0
  *   no roulette         where nothing can follow: after the last bounce, black, absorbed; q = 1
  *   no refraction code  without glass; no sphere is tested where there are none
@@ -170,18 +170,28 @@ static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
     return vscale(L, mis_power(w->pdf, lit_lights_pdf_sky(&t->light, d)));
 }
 
-/* (26.5), first half. wo is local to f. */
+/* What fills the place behind a wall of glass. */
+static inline const lit_material *path_behind(const lit_hit *x)
+{
+    return x->front ? x->m : NULL;
+}
+
+/* (26.5), first half. wo is local to f. g: of rough glass, which light may also reach from behind;
+ * else NULL. */
 __attribute__((always_inline))
 static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
-                              shading_frame f, vec3 wo, point2 u, path_counts *c)
+                              shading_frame f, vec3 wo, const rough_glass *g, point2 u,
+                              path_counts *c)
 {
     lit_draw l = {.emitter = lit_dark};
     c->light_draws++;
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
-    bool lit = vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi);
+    bool lit = g || (vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi));
     if (!lit && !t->how.spend_all) return;
-    vec3 fcos = lit ? vscale(brdf_value_local(&x->m->f, wi, wo), wi.z) : (vec3){0, 0, 0};
+    vec3 fcos = {0, 0, 0};
+    if (g) fcos.x = fcos.y = fcos.z = fabs(wi.z) * rough_glass_value(g, wi, wo);
+    else if (lit) fcos = vscale(brdf_value_local(&x->m->f, wi, wo), wi.z);
     vec3 brings = vmul(w->beta, vmul(fcos, l.Le));
     if (vzero(brings)) {
         if (!t->how.spend_all) return;
@@ -189,10 +199,12 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
     }
     c->shadow++;
     if (lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter)) return;
-    real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
-    vec3 gain = vscale(brings, weight / l.per);
-    if (t->glass && w->medium)  /* no wall of it in between: all the way in the glass */
-        gain = vmul(gain, absorbed(w->medium->sigma,
+    real pdf = !t->how.mis ? 0 : g ? rough_glass_pdf(g, wi, wo)
+                                   : brdf_pdf_local(&x->m->f, wi, wo);
+    vec3 gain = vscale(brings, mis_power(l.pdf, pdf) / l.per);
+    const lit_material *in = g && wi.z < 0 ? path_behind(x) : w->medium;
+    if (t->glass && in)  /* no wall of it in between: all the way in the glass */
+        gain = vmul(gain, absorbed(in->sigma,
                                    l.far ? real_infinity : vlength(vsub(l.s.p, x->s.p))));
     w->L = vadd(w->L, path_cut(gain, t->how.clamp));
 }
@@ -212,28 +224,44 @@ static inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s,
     return true;
 }
 
-/* False: a facet sends it to the wrong side. No light sample is taken at rough glass either: what
- * its rays run into counts in full. */
-static inline bool path_through_glass(path_walk *w, const lit_hit *x, path_random *s,
-                                      path_counts *c)
+/* Off a facet or through it, which light samples find, too; false: it sends it to the wrong side.
+ * Of two equal indices it is none. */
+static inline bool path_facet(const path_tracer *t, path_walk *w, const lit_hit *x, rough_glass g,
+                              path_random *s, path_counts *c, vec3 *wi, bool *through)
+{
+    vec3 wo = vneg(vunit(w->r.d));
+    real power;
+    bool find = t->how.light_sampling && lit_lights_some(&t->light) && g.n1 != g.n2;
+    shading_frame f = shading_frame_of(x->s.n);
+    if (find) path_light(t, w, x, f, to_local(f, wo), &g, path_pair(s), c);
+    if (!dielectric_rough(g, x->s.n, wo, &s->own, wi, through, &power)) return false;
+    w->beta = vscale(w->beta, power);
+    w->pdf = find ? rough_glass_pdf(&g, to_local(f, *wi), to_local(f, wo)) : real_infinity;
+    return true;
+}
+
+/* False: the path ends here. */
+static inline bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit *x,
+                                      path_random *s, path_counts *c)
 {
     bool through;
-    real power = 1;
     real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
     c->refractions++;
-    vec3 wo = vneg(vunit(w->r.d)), wi;
+    vec3 wi;
     if (x->m->alpha > 0) {
         rough_glass g = {x->m->alpha, n1, n2};
-        if (!dielectric_rough(g, x->s.n, wo, &s->own, &wi, &through, &power)) return false;
-        w->beta = vscale(w->beta, power);
-    } else wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
+        if (!path_facet(t, w, x, g, s, c, &wi, &through)) return false;
+    } else {
+        w->pdf = real_infinity;
+        wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), n1, n2, random_next(&s->own), &through);
+    }
     if (through) {
         real k = dielectric_squeeze(n1, n2);
         w->beta = vscale(w->beta, k), w->squeezed *= k;
-        w->medium = x->front ? x->m : NULL;
+        w->medium = path_behind(x);
     }
     w->r = leave(surface_copy(&x->s), wi);
-    w->from = x->s.p, w->left = x->s.shape, w->pdf = real_infinity;
+    w->from = x->s.p, w->left = x->s.shape;
     return true;
 }
 
@@ -248,7 +276,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
     vec3 local = to_local(f, wo);
     point2 for_light = path_pair(s), for_brdf = path_pair(s);
     if (t->how.light_sampling && lit_lights_some(&t->light) && !brdf_is_delta(b))
-        path_light(t, w, x, f, local, for_light, c);
+        path_light(t, w, x, f, local, NULL, for_light, c);
     if (!brdf_sample_local(b, local, for_brdf.u, for_brdf.v, &wi, &w->pdf, &weight)) return false;
     wi = to_world(f, wi);
     if (!(vdot(x->s.n, wi) > 0)) return false;
@@ -282,7 +310,7 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
     bool glass = t->glass && x.m->ior > 0;
     if (w->bounces >= t->how.bounces) return false;
     if (!glass && brdf_is_black(&x.m->f)) return false;
-    if (!(glass ? path_through_glass(w, &x, s, c) : path_reflect(t, w, &x, s, c))) return false;
+    if (!(glass ? path_through_glass(t, w, &x, s, c) : path_reflect(t, w, &x, s, c))) return false;
     if (vzero(w->beta) || !path_dice(t, w, s, c)) return false;
     w->bounces++, c->bounce++;
     return true;

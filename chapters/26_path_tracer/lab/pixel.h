@@ -71,7 +71,7 @@ static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
     }
     if (t->glass && x.m->ior > 0) {
         const lit_material *medium = w->medium;
-        path_through_glass(w, &x, &s, &c);
+        path_through_glass(t, w, &x, &s, &c);
         explain_line(2, "(26.9)", w->medium == medium ? "glass: reflected" : w->medium
                      ? "glass: the path goes in" : "glass: the path goes out");
     } else {
