@@ -182,6 +182,10 @@ static void test_bodies(void)
     test_way(WAY_IN, 1.5, 0.5 * 0.5 + 2 * 2 + 0.5 * 1);  /* begun in the outer one */
     test_way(BLOCKS_WAY, 5, 0.5 * 2 + 2 * 2), test_way(BLOCKS_WAY, 1, 0.5 * 1 + 2 * 2);
     test_way(BLOCKS_WAY, -0.5, 2 * 1.5);  /* begun in the second of two that touch, on a table */
+    /* a ball on a table, straight through its foot: the table shows */
+    test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nNi 1.5\nTf 1\nillum 7\n"
+             "sphere 0 0 0 1\nmaterial table\nKd 0\npolygon -9 -9 -1  9 -9 -1  9 9 -1  -9 9 -1\n",
+             5, -log(0.04));
     /* a single sheet, left behind: nobody was in it */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
              "polygon -1 -1 0  -1 1 0  1 1 0  1 -1 0\nsphere 9 0 0 1\n", -1, 0);
@@ -236,6 +240,9 @@ static void test_contacts(void)
     check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 0.5\nsphere 1.25 1 0 0.5\n"), 0,
                 "contact rays of balls in the air");
     check_equal(contacts_of(ABOVE UNDER GLASS "box 0 0.1 0  1 1 1\n"), 0, "of a block in the air");
+    check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1.1 0 1\nmaterial chalk\nKd 0.5\n"
+                            "box -0.6 0 -0.6  0.6 2 0.6  turn 0 1 0 45  move 1.24 0 1.24\n"), 0,
+                "of a ball beside a turned block, whose bounds meet its own");
     check_at_most((double)contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 1\n"), 6,
                   "of a ball on a table: at its foot");
     check_at_least((double)contacts_of(ABOVE UNDER GLASS "box 0 0 0  1 1 1\n"), 12,

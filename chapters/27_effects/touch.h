@@ -112,16 +112,23 @@ static inline touch_thing *touch_things(const studio *s, const appearance *look)
 /* Two faces of one body in one plane, or at an edge? |n.m| of planes is 1 or, here, far from it. */
 static inline bool touch_parallel(vec3 n, vec3 m) { return fabs(vdot(n, m)) > (real)0.99; }
 
-/* Boxes meet, but surfaces do not: of two balls. Or only at an edge: planes of one body. */
+/* Boxes meet, but surfaces do not: of two balls, or of a ball and a plane that it does not reach.
+ * Or only at an edge: planes of one body. */
 static inline bool touch_apart(const touch_thing *x, const touch_thing *y)
 {
     const shape *a = x->shape, *b = y->shape;
-    if (!a || !b || a->kind != b->kind) return false;
+    if (!a || !b) return false;
+    if (a->kind == SHAPE_POLYGON && b->kind == SHAPE_SPHERE) return touch_apart(y, x);
+    real pad = x->pad + y->pad, r = fabs(a->sphere.r), R = fabs(b->sphere.r);
+    if (a->kind == SHAPE_SPHERE && b->kind == SHAPE_POLYGON) {
+        const polygon *g = &b->polygon;
+        return polygon_is_flat(g) && fabs(vdot(g->normal, vsub(a->sphere.c, g->centre))) > r + pad;
+    }
+    if (a->kind != b->kind) return false;
     if (a->kind == SHAPE_POLYGON)
         return x->material == y->material && !touch_parallel(a->polygon.normal, b->polygon.normal);
     if (a->kind != SHAPE_SPHERE) return false;
-    real far = vlength(vsub(a->sphere.c, b->sphere.c)), pad = x->pad + y->pad;
-    real r = fabs(a->sphere.r), R = fabs(b->sphere.r);
+    real far = vlength(vsub(a->sphere.c, b->sphere.c));
     return far > r + R + pad || far + pad < fabs(r - R);
 }
 
