@@ -123,6 +123,15 @@ static inline bool lit_points_angle(lit_points points, const emitter *e)
     return points == POINTS_BY_ANGLE || (points == POINTS_CHEAP && e->kind == EMITTER_SPHERE);
 }
 
+/* True: the point x of e, which was chosen by `chance`. */
+__attribute__((always_inline))
+static inline bool lit_drawn(const emitter *e, const emitter_point *x, real chance, lit_draw *out)
+{
+    out->wi = x->wi, out->pdf = out->per = x->pdf * chance, out->Le = e->Le, out->far = false;
+    out->s = surface_copy(&x->s);
+    return true;
+}
+
 __attribute__((always_inline))
 static inline bool lit_draw_of(const emitter *e, lit_points points, real chance, vec3 p, point2 u,
                                lit_draw *out)
@@ -131,10 +140,7 @@ static inline bool lit_draw_of(const emitter *e, lit_points points, real chance,
     if (e->kind == EMITTER_LIGHT) return lit_draw_light(&e->light, chance, p, out);
     bool seen = lit_points_angle(points, e) ? emitter_by_angle(e, p, u, &x)
                                             : emitter_by_area(e, p, u, &x);
-    if (!seen) return false;
-    out->wi = x.wi, out->pdf = out->per = x.pdf * chance, out->Le = e->Le, out->far = false;
-    out->s = surface_copy(&x.s);
-    return true;
+    return seen && lit_drawn(e, &x, chance, out);
 }
 
 __attribute__((always_inline))

@@ -129,10 +129,15 @@ effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, l
 {
     real chance;
     out->emitter = (uint32_t)lit_lights_choose(&l->of, u.u, &chance, &u.u);
-    emitter e = l->face[out->emitter];
-    if (e.kind != EMITTER_SPHERE) e.n = emitter_height(&e, p) < 0 ? vneg(e.n) : e.n;
-    else e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
-    return lit_draw_of(&e, POINTS_CHEAP, chance, p, u, out);
+    const emitter *e = &l->face[out->emitter];
+    if (e->kind != EMITTER_SPHERE) {
+        emitter_point x;
+        vec3 side = emitter_height(e, p) < 0 ? vneg(e->n) : e->n;
+        return emitter_flat(e, side, p, u, &x) && lit_drawn(e, &x, chance, out);
+    }
+    emitter ball = *e;
+    ball.sphere.r = lamps_within(e->sphere, p, n) ? -fabs(e->sphere.r) : fabs(e->sphere.r);
+    return lit_draw_of(&ball, POINTS_CHEAP, chance, p, u, out);
 }
 
 static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, vec3 d, real t,
