@@ -23,7 +23,7 @@ typedef vec3 effects_function(const effects_stage *e, ray r, media_set in, const
     X(coloured_glass, EFFECT_HARD_SHADOWS | EFFECTS_WHITTED)                                     \
     X(soft, EFFECT_SOFT_SHADOWS)                                                                 \
     X(matte_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT)                                         \
-    X(glass_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_MIRROR | EFFECT_REFRACTION)       \
+    X(glass_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_MIRROR | EFFECT_REFRACTION)     \
     X(clear_room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED)                       \
     X(room, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED | EFFECT_GLOSSY)             \
     X(outdoors, EFFECT_ENVIRONMENT | EFFECT_INDIRECT)
