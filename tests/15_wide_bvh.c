@@ -264,7 +264,7 @@ static void test_split(void)
         float x = (float)i / 64 + (i * 7 % 16 < 10 ? 0.0f : 0.5f);
         item[i] = (bvh8_bound){.lo = {x, 0, 0}, .minus_hi = {-x - 0.01f, -1, -1}};
     }
-    bvh8_extent e = bvh8_measure(item, 16);
+    bvh8_extent e = bvh8_measure(item, 16, 0);
     size_t beyond = 0, astray = 0;
     for (int i = 0; i < 16; i++)
         beyond += (unsigned)bvh8_bin_of(&item[i], &e, 0) >= (unsigned)e.bins;
@@ -280,6 +280,40 @@ static void test_split(void)
     check(bvh8_build(&x, bvh8_defaults, &w, NULL) && bvh8_hit(&w, ray_from(vec(0, 0, -3),
           vec(0, 0, 1)), &h) && h.t == 2, "one shape alone");
     bvh8_free(&w);
+}
+
+/* Walls, and small things that stand somewhere in the midst: no block holds both, though their
+ * middles lie side by side. */
+static void test_sizes(void)
+{
+    mesh m = mesh_room(200);
+    size_t mixed = 0;
+    bvh8 w;
+    for (size_t i = 0; i < m.triangles; i++) {
+        random_stream g = random_start(15, i, 0);
+        vec3 at = random_in_cube(&g, (real)0.5), out = {0, 0, 0};
+        if (i >= 12) {
+            vec3 side = random_in_cube(&g, (real)0.05);
+            set_triangle(&m, i, at, vadd(at, side), vadd(at, random_in_cube(&g, (real)0.05)));
+            continue;
+        }
+        int k = (int)i % 3;  /* two triangles of each of six walls */
+        out = vwith(out, k, i < 6 ? 1 : -1);
+        vec3 s = vwith((vec3){0, 0, 0}, (k + 1) % 3, i / 3 % 2 ? 1 : -1);
+        vec3 t = vwith((vec3){0, 0, 0}, (k + 2) % 3, i / 3 % 2 ? 1 : -1);
+        set_triangle(&m, i, vsub(vadd(out, s), t), vadd(vadd(out, s), t), vadd(vsub(out, s), t));
+    }
+    items x = items_of_mesh(&m);
+    check(bvh8_build(&x, bvh8_defaults, &w, NULL), "built");
+    for (size_t i = 0; i < w.blocks; i++) {
+        bool large = false, small = false;
+        for (int k = 0; k < 8; k++)
+            if (w.block[i].index[k] != no_shape)
+                *(w.block[i].index[k] < 12 ? &large : &small) = true;
+        mixed += large && small;
+    }
+    check_equal(mixed, 0, "of %zu blocks hold walls and small things", w.blocks);
+    bvh8_free(&w), mesh_free(&m);
 }
 
 /* Powers of two along three axes, on the one side or the other: as deep as it gets, see 14. */
@@ -540,6 +574,7 @@ int main(void)
     test_far();
     test_left_out();
     test_split();
+    test_sizes();
     test_depth();
     test_cost();
     return check_report("15_wide_bvh");

@@ -7,6 +7,8 @@
  *   2. A binary tree, from the root down, by surface area in bins, as in 14, except that a leaf
  *      costs as many tests as it has blocks: a cut into L and R,
  *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)                                  (15.4)
+ *      Bins along x, y and z; near the root of size, too: walls and what stands between them have
+ *      middles side by side, and together would make every box as large as the room.
  *      The children of a cut between items p - 1 and p are nodes 2 p and 2 p + 1: a place that
  *      depends on the items alone, so the tree is the same for any number of threads. Large sets
  *      are cut first, by one; what is small is a job for whoever comes.
@@ -34,7 +36,7 @@ typedef union {
 
 typedef struct { uint32_t at, begin, n; int depth; } bvh8_job;
 typedef struct { float cost[8]; } bvh8_costs;
-typedef struct { bvh8_bound box, middles; float scale[3]; int bins; } bvh8_extent;
+typedef struct { bvh8_bound box; eight ends; float scale[4]; int bins, ways; } bvh8_extent;
 typedef struct { eight box[most_bins]; uint32_t n[most_bins]; } bvh8_bins;
 
 typedef struct {
@@ -49,6 +51,7 @@ typedef struct {
 } bvh8_builder;
 
 #define bvh8_around(a, b) EIGHT_LOOP(eight_min, a, b)
+enum { bvh8_near_root = 3 };  /* levels */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -79,18 +82,35 @@ static inline double bvh8_area(const eight *b)
     return x >= 0 ? x * y + y * z + z * x : 0;
 }
 
-/* Around the items, and around their middles; bins, and bins a unit: 0 where nothing is to cut. */
-static inline bvh8_extent bvh8_measure(const bvh8_bound *item, size_t n)
+/* Where an item is, of which the bins are: twice the middle of its box on axis k; 3: its size. */
+__attribute__((always_inline))
+static inline float bvh8_where(const eight *box, int k)
 {
-    eight all = EIGHT_ALL(INFINITY), middles = all;
+    const float *lo = (const float *)box, *minus_hi = lo + 4;
+    return k < 3 ? lo[k] - minus_hi[k]
+                 : -(lo[0] + minus_hi[0]) - (lo[1] + minus_hi[1]) - (lo[2] + minus_hi[2]);
+}
+
+/* Around the items, and where they are, from ends[k] to -ends[4 + k]; ways to cut, bins, and bins a
+ * unit: 0 where nothing is to cut. */
+static inline bvh8_extent bvh8_measure(const bvh8_bound *item, size_t n, int depth)
+{
+    eight all = EIGHT_ALL(INFINITY), ends = all;
+    bvh8_extent e = {.bins = bins_for(n), .ways = depth < bvh8_near_root ? 4 : 3};
     for (size_t i = 0; i < n; i++) {
-        eight box = item[i].all, middle;
-        for (int k = 0; k < 8; k++) middle[k] = box[k] - box[k ^ 4];
-        all = bvh8_around(all, box), middles = bvh8_around(middles, middle);
+        eight box = item[i].all, at;
+        for (int k = 0; k < 8; k++) at[k] = box[k] - box[k ^ 4];
+        all = bvh8_around(all, box), ends = bvh8_around(ends, at);
     }
-    bvh8_extent e = {{all}, {middles}, {0}, bins_for(n)};
-    for (int k = 0; k < 3; k++) {
-        float scale = (float)e.bins * 0.9999f / (-e.middles.minus_hi[k] - e.middles.lo[k]);
+    ends[3] = INFINITY, ends[7] = INFINITY;
+    for (size_t i = 0; e.ways > 3 && i < n; i++) {
+        float size = bvh8_where(&item[i].all, 3);
+        ends[3] = size < ends[3] ? size : ends[3], ends[7] = -size < ends[7] ? -size : ends[7];
+    }
+    e.ends = ends;
+    e.box.all = all;
+    for (int k = 0; k < e.ways; k++) {
+        float scale = (float)e.bins * 0.9999f / (-e.ends[4 + k] - e.ends[k]);
         e.scale[k] = scale > 0 && scale < FLT_MAX ? scale : 0;
     }
     return e;
@@ -99,7 +119,14 @@ static inline bvh8_extent bvh8_measure(const bvh8_bound *item, size_t n)
 __attribute__((always_inline))
 static inline int bvh8_bin_of(const bvh8_bound *item, const bvh8_extent *e, int k)
 {
-    return (int)((item->lo[k] - item->minus_hi[k] - e->middles.lo[k]) * e->scale[k]);
+    return (int)((bvh8_where(&item->all, k) - e->ends[k]) * e->scale[k]);
+}
+
+__attribute__((always_inline))
+static inline void bvh8_bin(bvh8_bins *b, const bvh8_bound *item, const bvh8_extent *e, int k)
+{
+    int at = bvh8_bin_of(item, e, k);
+    b[k].box[at] = bvh8_around(b[k].box[at], item->all), b[k].n[at]++;
 }
 
 /* (15.4) for all planes between the bins of an axis: from the right, then from the left. */
@@ -123,17 +150,16 @@ static inline void bvh8_sweep(const bvh8_bins *b, int bins, int axis, split_choi
 /* How many of the n > 1 items go left; what no plane cuts, in halves. As split_binned of 14. */
 static inline size_t bvh8_split(bvh8_bound *item, size_t n, const bvh8_extent *e)
 {
-    bvh8_bins b[3];
+    bvh8_bins b[4];
     split_choice best = {HUGE_VAL, 0, 0};
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < e->ways; k++)
         for (int i = 0; i < e->bins; i++) b[k].box[i] = EIGHT_ALL(INFINITY), b[k].n[i] = 0;
-    for (size_t i = 0; i < n; i += sample_step(n))
+    for (size_t i = 0; i < n; i += sample_step(n)) {
         EIGHT_UNROLL
-        for (int k = 0; k < 3; k++) {
-            int at = bvh8_bin_of(&item[i], e, k);
-            b[k].box[at] = bvh8_around(b[k].box[at], item[i].all), b[k].n[at]++;
-        }
-    for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) bvh8_bin(b, &item[i], e, k);
+        if (e->ways > 3) bvh8_bin(b, &item[i], e, 3);
+    }
+    for (int k = 0; k < e->ways; k++)
         if (e->scale[k] > 0) bvh8_sweep(&b[k], e->bins, k, &best);
     size_t left = 0, right = n;
     if (best.cost == HUGE_VAL) return n / 2;
@@ -154,7 +180,7 @@ static inline void bvh8_grow(bvh8_builder *b, bvh8_job j, bool top)
         return;
     }
     bvh8_bound *item = b->item + j.begin, *node = &b->node[j.at];
-    bvh8_extent e = bvh8_measure(item, j.n);
+    bvh8_extent e = bvh8_measure(item, j.n, j.depth);
     *node = e.box, node->first = j.begin, node->count = j.n;
     if (j.n <= (uint32_t)b->leaf) return;
     bool deep = j.depth + log2_above(j.n) >= bvh_most_depth;
