@@ -581,6 +581,46 @@ static void test_wrong_answers(void)
     }
 }
 
+/* Searches that see nothing so close to the ends of the interval. */
+static real blind_at[2];
+
+static bool blind_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!bvh_hit(s, r, &h)) return false;
+    *out = h;
+    return h.t >= r.tmin + blind_at[0] && h.t <= r.tmax - blind_at[1];
+}
+
+static bool strict_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!bvh_hit(s, r, &h)) return false;
+    *out = h;
+    return h.t < r.tmax;
+}
+
+/* An end that is left out is found out, and the explanation says how much is. */
+static void test_open_ends(void)
+{
+    static const real by = (real)1 / 1024, ends[4][2] = {{0, by}, {by, 0}, {by, by}};
+    static const char reaches[] = "reaches ";
+    for (int k = 0; k < 4; k++) {
+        patient *p = patient_new(&bvh_contender, through_pot);
+        bool strict = k == 3;
+        double least = (double)(strict ? p->due.t * real_epsilon / 2 : by);
+        memcpy(blind_at, ends[k], sizeof blind_at);
+        p->c.hit = strict ? strict_hit : blind_hit;
+        char *text = patient_said(p);
+        const char *at = strstr(text, reaches);
+        double said = at ? strtod(at + strlen(reaches), NULL) : 0;
+        check(said > 0.9 * least && said < 2.2 * least, "%d: within %g of an end: %s", k, least,
+              text);
+        free(text);
+        patient_free(p);
+    }
+}
+
 /* A structure alone is proved by brute force alone, and nothing proves nothing. */
 static void test_alone(void)
 {
@@ -1015,6 +1055,7 @@ int main(void)
     test_places("teapot");
     test_places("balls");
     test_wrong_answers();
+    test_open_ends();
     test_costs();
     test_cheapest();
     test_kept();

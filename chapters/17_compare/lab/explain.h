@@ -47,6 +47,16 @@ static inline void window_halve(const contender *c, const void *s,
     }
 }
 
+/* How much longer, both ways, the interval [t, t] must be for the hit to be found: between this and
+ * half of it. 0: no length helps. */
+static inline real window_wider(const contender *c, const void *s, const wrong_answer *w)
+{
+    real t = w->due.t, most = fabs(t) + 1;
+    for (real x = real_epsilon / 2 * real_max(fabs(t), real_smallest); x <= most; x *= 2)
+        if (window_finds(c, s, w, t - x, t + x)) return x;
+    return 0;
+}
+
 static inline void explain_end(const contender *c, const void *s, const wrong_answer *w, real end,
                                const char *which, FILE *out)
 {
@@ -74,8 +84,13 @@ static inline void explain_window(const contender *c, const void *s, const wrong
         fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
                                   : "  at the same t: there the lower index must win\n");
     if (!window_finds(c, s, w, t, t)) {
-        fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
-                     "searched, or the shape is not listed there\n");
+        real wider = window_wider(c, s, w);
+        if (wider > 0)
+            fprintf(out, "  not found on the interval [t, t], but on one that reaches %.2g farther "
+                         "both ways: a comparison with its end is strict, or something is "
+                         "rounded\n", (double)wider);
+        else fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
+                          "searched, or the shape is not listed there\n");
         return;
     }
     fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
