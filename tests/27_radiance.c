@@ -322,8 +322,9 @@ static void test_left_out(void)
  * same everywhere, and so is what its wall sends back, albedo E / pi, of which albedo times as much
  * comes from the second bounce, and so on: L = albedo / (1 - albedo) I / (pi R^2). A floor within a
  * wide shining sphere, and a matte ball in an even sky: L = albedo Le. Highlights (23.14), met head
- * on: as much as their Ks, whatever Ns. Under a lamp, without anything else: Lambert's formula of
- * the form factor. */
+ * on: as much as their Ks, whatever Ns, of a background that they show, too (the sun, behind them,
+ * is there so that the eye brings no light). Under a lamp, without anything else: Lambert's formula
+ * of the form factor. */
 static void test_light(void)
 {
     expect("closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"
@@ -345,6 +346,10 @@ static void test_light(void)
     expect("highlight under a shining sphere", "camera from 0 5 0 at 0 0 0 up 0 0 1\nmaterial m\n"
            "Kd 0\nKs 1 0.5 0.25\nNs 20\nillum 2\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n"
            "material lamp\nKe 1\nsphere 0 0 0 50\n", (double[3]){1, 0.5, 0.25}, 300, 0);
+    expect("a background, blurred", "camera from 0 5 0 at 0 0 0 up 0 0 1\nbackground 1\n"
+           "sun to 0 -1 0 colour 1\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 20\nillum 3\n"
+           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n", (double[3]){1, 0.5, 0.25}, 300,
+           EFFECT_GLOSSY);
     expect("ball in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
            "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", (double[3]){0.8, 0.5, 0.2}, 300, 0);
     /* small lamp of area A, radiance 1, at height h straight above: E = pi R^2 / (R^2 + h^2) for a
