@@ -115,6 +115,8 @@ static void test_knot(void)
 
 /* ---- files ---- */
 
+static const char drawn[] = "@t.obj @t.png";  /* what write_file writes, by the program */
+
 static const char *write_file(const char *text, size_t size)
 {
     const char *path = in_directory("t.obj");
@@ -182,21 +184,18 @@ static void test_broken_files(void)
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -99999999999999999999\n", 4, "no such point"},
         {"f -1 -1 -1\n", 1, "no such point"}};
     for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
-        char line[32], arguments[600];
+        char line[32];
         const char *path = write_file(broken[i].text, strlen(broken[i].text));
         mesh m;
         failure f;
         check(!obj_read(path, &m, &f) && f.exit_code == 2, "file %zu: the full reader refuses", i);
-        snprintf(arguments, sizeof arguments, "%s %s/t.png", path, directory);
         snprintf(line, sizeof line, "line %d: ", broken[i].line);
-        check_equal(run("07_mesh_first", arguments), 2, "file %zu: exit code", i);
+        check_equal(run("07_mesh_first", drawn), 2, "file %zu: exit code", i);
         check(printed("err", line) && printed("err", broken[i].what) && printed("err", "t.obj"),
               "file %zu: the message names the file, the line %d and what", i, broken[i].line);
         check(access(in_directory("t.png"), F_OK) != 0, "file %zu: no picture", i);
     }
-    char arguments[600];
-    snprintf(arguments, sizeof arguments, "%s/none.obj %s/t.png", directory, directory);
-    check_equal(run("07_mesh_first", arguments), 1, "no such file");
+    check_equal(run("07_mesh_first", "@none.obj @t.png"), 1, "no such file");
 }
 
 /* What the format allows and first.h does not read: it says so, or reads less, as its text says. */
@@ -204,13 +203,11 @@ static void test_limits(void)
 {
     static const char late[] = "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", none[] = "# nothing\n";
     const char *path = write_file(late, strlen(late));
-    char arguments[600];
     mesh m;
     failure f;
     check(obj_read(path, &m, &f), "the full reader knows points that come later");
     mesh_free(&m);
-    snprintf(arguments, sizeof arguments, "%s %s/t.png", path, directory);
-    check_equal(run("07_mesh_first", arguments), 2, "first.h does not");
+    check_equal(run("07_mesh_first", drawn), 2, "first.h does not");
     first_mesh nothing = first_obj_read(write_file(none, strlen(none)));
     check(nothing.n == 0, "a file without faces has none");
     first_mesh_free(&nothing);
@@ -223,19 +220,15 @@ static void test_limits(void)
 static void test_program(void)
 {
     static const char text[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
-    char arguments[600];
-    const char *path = write_file(text, strlen(text));
-    snprintf(arguments, sizeof arguments, "%s %s/t.png", path, directory);
-    check_equal(run("07_mesh_first", arguments), 0, "a square");
+    (void)write_file(text, strlen(text));
+    check_equal(run("07_mesh_first", drawn), 0, "a square");
     check(printed("out", "2 triangles, ") && printed("out", "t.png"), "it says what it drew");
     check(access(in_directory("t.png"), F_OK) == 0, "and there it is");
     (void)write_file("v 0 0 0\n\0v 1 0 0\n", 18);
-    check(run("07_mesh_first", arguments) == 2 && printed("err", "line 2: not a text"), "a 0");
-    snprintf(arguments, sizeof arguments, "%s %s/t.png more", path, directory);
-    check_equal(run("07_mesh_first", arguments), 2, "one word too many");
-    path = write_file("", 0);
-    snprintf(arguments, sizeof arguments, "%s %s/t.png", path, directory);
-    check_equal(run("07_mesh_first", arguments), 0, "an empty file: an empty picture");
+    check(run("07_mesh_first", drawn) == 2 && printed("err", "line 2: not a text"), "a 0");
+    check_equal(run("07_mesh_first", "@t.obj @t.png more"), 2, "one word too many");
+    (void)write_file("", 0);
+    check_equal(run("07_mesh_first", drawn), 0, "an empty file: an empty picture");
 }
 
 int main(void)

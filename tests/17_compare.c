@@ -761,16 +761,10 @@ typedef struct { int status; const char *arguments, *said[10]; } dialogue;
 static void test_dialogue(const dialogue *list, size_t n)
 {
     for (const dialogue *d = list; d < list + n; d++) {
-        char arguments[900] = "";
-        for (const char *at = d->arguments; *at; at++) {
-            size_t end = strlen(arguments);
-            snprintf(arguments + end, sizeof arguments - end, *at == '@' ? "%s" : "%.1s",
-                     *at == '@' ? directory : at);
-        }
-        check_equal(run("17_compare", arguments), d->status, "17_compare %s", arguments);
+        check_equal(run("17_compare", d->arguments), d->status, "17_compare %s", d->arguments);
         for (int k = 0; k < 10 && d->said[k]; k += 2) {
             bool not = d->said[k + 1][0] == '!';
-            check(printed(d->said[k], d->said[k + 1] + not) != not, "%s: in %s: %s", arguments,
+            check(printed(d->said[k], d->said[k + 1] + not) != not, "%s: in %s: %s", d->arguments,
                   d->said[k], d->said[k + 1]);
         }
     }
@@ -796,7 +790,7 @@ static void test_misuse(void)
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
         {"--costs x", "--rays"}, {"--score x", "--torture"},
         {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
-        {"/nowhere/x.nff", "x.nff"}, {"@/b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
+        {"/nowhere/x.nff", "x.nff"}, {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         test_dialogue(&(dialogue){2, wrong[i].arguments, {"err", wrong[i].says}}, 1);
     test_dialogue(&(dialogue){1, "--rays /nowhere/x.rays", {"err", "x.rays"}}, 1);
@@ -836,11 +830,10 @@ static void test_files(void)
     write_rays(in_directory("g.rays"), &w, n);
     ray *r = rays_read(in_directory("g.rays"), &rays, &f);
     for (int any = 0; any < 2; any++) {
-        char arguments[600];
+        char arguments[100];
         size_t wrong = 0;
-        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --hits "
-                 "%s/g.hits --csv %s/g.csv %s", directory, directory, directory,
-                 any ? "--any-hit" : "");
+        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays @g.rays --hits "
+                 "@g.hits --csv @g.csv %s", any ? "--any-hit" : "");
         check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
         unsigned char *got = (unsigned char *)file_read(in_directory("g.hits"), &size, &f);
         check(got && size == 8 * n, "a record for each ray");
@@ -867,9 +860,9 @@ static void test_files(void)
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
     static const dialogue broken[] = {
-        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /dev/full", {0}},
-        {1, "--scene gears --scale 1 --rays @/g.rays --only bvh --hits /nowhere/x.hits", {0}},
-        {2, "--rays @/g.rays", {"err", "30 bytes"}}};
+        {1, "--scene gears --scale 1 --rays @g.rays --only bvh --hits /dev/full", {0}},
+        {1, "--scene gears --scale 1 --rays @g.rays --only bvh --hits /nowhere/x.hits", {0}},
+        {2, "--rays @g.rays", {"err", "30 bytes"}}};
     test_dialogue(broken, 2);
     if (truncate(in_directory("g.rays"), 30) != 0) abort();
     test_dialogue(broken + 2, 1);
@@ -881,7 +874,7 @@ static void test_files(void)
 static void test_program(void)
 {
     static const dialogue list[] = {
-        {0, "--quick --scene tetra --csv @/t.csv",
+        {0, "--quick --scene tetra --csv @t.csv",
          {"out", "tetra: 64 shapes", "t.csv", "tetra,brute,primary,",
           "t.csv", "tetra,bvh,mirror,"}},
         {0, "--verify --scene tree --scale 3 --only bvh,grid",
@@ -889,15 +882,15 @@ static void test_program(void)
           "out", "tree grid: 4096 primary", "out", "!octree"}},
         {0, "--protocol spd --scene tetra --only bvh",
          {"out", "primary tetra 6 bvh: ", "out", "hits 49950\n"}},
-        {0, "--scene soup --scale 4 --memory 1 --quick --report @/m.html",
+        {0, "--scene soup --scale 4 --memory 1 --quick --report @m.html",
          {"out", "# kdtree does not fit: ", "out", "\nbrute ", "m.html", ">kdtree does not fit: ",
           "m.html", ">cheapest in all: "}},
-        {0, "@/a.nff @/b.obj --up z --quick --only grid,bvh,example --report @/r.html",
+        {0, "@a.nff @b.obj --up z --quick --only grid,bvh,example --report @r.html",
          {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
           "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
-        {0, "@/b.obj --quick --only first-mesh,bvh --report @/r.html",
+        {0, "@b.obj --quick --only first-mesh,bvh --report @r.html",
          {"r.html", "first-mesh: wrong at", "r.html", "</html>"}},
-        {0, "--scene stadium --scale 4 --rays @/s.rays --costs @/s.csv --only bvh,grid",
+        {0, "--scene stadium --scale 4 --rays @s.rays --costs @s.csv --only bvh,grid",
          {"s.csv", "ray,t,shape,bvh nodes,bvh tests,grid nodes,grid tests\n0,",
           "s.csv", "\n99,"}},
         {0, "--quick --sweep bvh:cost=0.1..1.6", {"out", "bvh:cost=0.8"}},
@@ -981,27 +974,21 @@ static void put_scenes(void)
     put_text("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 
-static void shell(const char *form)
-{
-    char command[600];
-    snprintf(command, sizeof command, "cd %s/t && %s", directory, form);
-    check_equal(system(command), 0, "%s", command);
-}
-
 /* Files of --torture, given back as another renderer's: all that are right, then some shifted. */
 static void test_torture(void)
 {
     static const dialogue list[] = {
-        {0, "--quick --only bvh,first-mesh --torture @/t --csv @/t.csv",
+        {0, "--quick --only bvh,first-mesh --torture @t --csv @t.csv",
          {"out", "Wrong answers of 60 a class", "t.csv", "class,aims at,"}},
-        {1, "--quick --torture @/t --score x", {"err", "inside.x.hits"}},
-        {0, "--quick --torture @/t --score x", {0}},
-        {1, "--quick --torture @/t --score x", {"err", "answers are wrong"}},
-        {2, "--quick --torture @/t --score x --seed 5", {"err", "not the rays of this seed"}}};
+        {1, "--quick --torture @t --score x", {"err", "inside.x.hits"}},
+        {0, "--quick --torture @t --score x", {0}},
+        {1, "--quick --torture @t --score x", {"err", "answers are wrong"}},
+        {2, "--quick --torture @t --score x --seed 5", {"err", "not the rays of this seed"}}};
     test_dialogue(list, 2);
-    shell("for f in *.hits; do cp $f ${f%.hits}.x.hits; done");
+    check_equal(shell("cd @t && for f in *.hits; do cp $f ${f%.hits}.x.hits; done"), 0, "files");
     test_dialogue(list + 2, 1);
-    shell("{ tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits");  /* of the next ray */
+    check_equal(shell("cd @t && { tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits"),
+                0, "files");  /* of the next ray */
     test_dialogue(list + 3, 2);
 }
 
@@ -1072,8 +1059,6 @@ int main(void)
         test_program();
         test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
-    char command[64];
-    snprintf(command, sizeof command, "rm -r %s", directory);
-    if (system(command) != 0) abort();
+    remove_directory();
     return check_report("17_compare");
 }

@@ -60,10 +60,9 @@ static void test_adds_up(void)
 {
     const double digits = 5e-6;
     char arguments[160];
-    image im;
+    image im = {0, 0, NULL};
     failure f;
-    snprintf(arguments, sizeof arguments, "--size %dx%d --samples 1 --out %s", width, height,
-             in_directory("x.pfm"));
+    snprintf(arguments, sizeof arguments, "--size %dx%d --samples 1 --out @x.pfm", width, height);
     check_equal(run("19_whitted", arguments), 0, "the picture");
     if (!image_read(in_directory("x.pfm"), &im, &f)) {
         check(false, "%s", f.text);
@@ -118,8 +117,6 @@ int main(void)
     if (!mkdtemp(directory)) return 1;
     test_adds_up();
     test_misuse();
-    char command[64];
-    snprintf(command, sizeof command, "rm -r %s", directory);
-    check_equal(system(command), 0, "cleaned up");
+    remove_directory();
     return check_report("19_pixel");
 }

@@ -135,8 +135,6 @@ int main(void)
     test_total();
     test_published();
     test_program();
-    char command[64];
-    snprintf(command, sizeof command, "rm -r %s", directory);
-    check_equal(system(command), 0, "cleaned up");
+    remove_directory();
     return check_report("19_spd");
 }

@@ -415,25 +415,16 @@ static void test_ambient_below(void)
 
 static void test_program(void)
 {
-    char arguments[400];
     check(mkdtemp(directory) != NULL, "a directory");
     check_equal(run("21_distributed", "--effects sgolx"), 2, "unknown effect behind all");
     check_equal(run("21_distributed", "--effects sx"), 2, "unknown effect");
     check(printed("err", "--effects sx"), "says which");
-    snprintf(arguments, sizeof arguments, "--quick --size 24x16 --effects so --out %s/a.pfm",
-             directory);
-    check_equal(run("21_distributed", arguments), 0, "two effects");
-    snprintf(arguments, sizeof arguments,
-             "--quick --size 24x16 --effects so --threads 3 --out %s/b.pfm", directory);
-    check_equal(run("21_distributed", arguments), 0, "by three threads");
-    size_t n[2];
-    failure f;
-    char *a = file_read(in_directory("a.pfm"), &n[0], &f);
-    char *b = file_read(in_directory("b.pfm"), &n[1], &f);
-    check(a && b && n[0] == n[1] && memcmp(a, b, n[0]) == 0, "the same picture");
-    free(a), free(b);
-    snprintf(arguments, sizeof arguments, "rm -r %s", directory);
-    check_equal(system(arguments), 0, "removed");
+    check_equal(run("21_distributed", "--quick --size 24x16 --effects so --out @a.pfm"), 0,
+                "two effects");
+    check_equal(run("21_distributed", "--quick --size 24x16 --effects so --threads 3 --out @b.pfm"),
+                0, "by three threads");
+    check(equal_files("a.pfm", "b.pfm"), "the same picture");
+    remove_directory();
 }
 
 int main(void)

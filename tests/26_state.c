@@ -214,70 +214,58 @@ static void test_state(void)
 
 /* ---- the program ---- */
 
-static int go(const char *format, const char *a, const char *b)
-{
-    char text[700], x[300], y[300];
-    snprintf(x, sizeof x, "%s", in_directory(a)), snprintf(y, sizeof y, "%s", in_directory(b));
-    snprintf(text, sizeof text, format, x, y);
-    return run("26_path_tracer", text);
-}
+static int go(const char *arguments) { return run("26_path_tracer", arguments); }
 
 static void test_program(void)
 {
 #define small "--size 24x18 --scene spheres "
-    check_equal(go(small "--samples 12 --save %s --out %s", "all.state", "all.pfm"), 0, "one run");
-    check_equal(go(small "--samples 5 --save %s --out %s", "part.state", "p.pfm"), 0, "a part");
-    char text[900];
-    snprintf(text, sizeof text, small "--samples 12 --resume %s --save %s --out %s",
-             in_directory("part.state"), in_directory("more.state"), in_directory("more.pfm"));
-    check_equal(run("26_path_tracer", text), 0, "resumed");
+    check_equal(go(small "--samples 12 --save @all.state --out @all.pfm"), 0, "one run");
+    check_equal(go(small "--samples 5 --save @part.state --out @p.pfm"), 0, "a part");
+    check_equal(go(small "--samples 12 --resume @part.state --save @more.state --out @more.pfm"), 0,
+                "resumed");
     check(equal_files("all.state", "more.state") && equal_files("all.pfm", "more.pfm"),
           "stopped and resumed: the same bytes, state and picture");
-    check_equal(go(small "--range 0:3 --save %s --out %s", "a.state", "p.pfm"), 0, "a");
-    check_equal(go(small "--range 8:12 --save %s --out %s", "c.state", "p.pfm"), 0, "c");
-    check_equal(go(small "--range 3:8 --save %s --out %s", "b.state", "p.pfm"), 0, "b");
-    snprintf(text, sizeof text, "--merge %s/c.state %s/a.state %s/b.state --save %s/m.state "
-             "--out %s/m.pfm", directory, directory, directory, directory, directory);
-    check_equal(run("26_path_tracer", text), 0, "merged");
+    check_equal(go(small "--range 0:3 --save @a.state --out @p.pfm"), 0, "a");
+    check_equal(go(small "--range 8:12 --save @c.state --out @p.pfm"), 0, "c");
+    check_equal(go(small "--range 3:8 --save @b.state --out @p.pfm"), 0, "b");
+    check_equal(go("--merge @c.state @a.state @b.state --save @m.state --out @m.pfm"), 0, "merged");
     check(equal_files("all.state", "m.state") && equal_files("all.pfm", "m.pfm"),
           "three ranges merged: the same bytes as one run");
-    check_equal(go("--merge %s %s --quick", "a.state", "a.state"), 2, "nothing counts twice");
+    check_equal(go("--merge @a.state @a.state --quick"), 2, "nothing counts twice");
     check(printed("err", "nothing counts twice"), "and says so");
-    check_equal(go("--merge %s --clamp 1 --out %s", "a.state", "p.pfm"), 2, "a merge cuts nothing");
-    check_equal(go("--merge %s --environment x.pfm --out %s", "a.state", "p.pfm"), 2, "nor a sky");
-    check_equal(go(small "--seed 9 --samples 12 --resume %s --out %s", "part.state", "p.pfm"), 2,
+    check_equal(go("--merge @a.state --clamp 1 --out @p.pfm"), 2, "a merge cuts nothing");
+    check_equal(go("--merge @a.state --environment x.pfm --out @p.pfm"), 2, "nor a sky");
+    check_equal(go(small "--seed 9 --samples 12 --resume @part.state --out @p.pfm"), 2,
                 "another seed");
     check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
-    check_equal(go(small "--samples 12 --resume %s --out %s", "c.state", "p.pfm"), 2, "not from 0");
+    check_equal(go(small "--samples 12 --resume @c.state --out @p.pfm"), 2, "not from 0");
     static const char *const other[] = {"23x18", "24x17"};
     for (int i = 0; i < 2; i++) {
-        snprintf(text, sizeof text, "--size %s --scene spheres --samples 12 --resume %s --out %s",
-                 other[i], in_directory("part.state"), in_directory("p.pfm"));
-        check_equal(run("26_path_tracer", text), 2, "another size");
+        char text[100];
+        snprintf(text, sizeof text, "--size %s --scene spheres --samples 12 --resume @part.state "
+                 "--out @p.pfm", other[i]);
+        check_equal(go(text), 2, "another size");
         check(printed("err", "24x18 pixels, not"), "%s: and says so", other[i]);
     }
-    check_equal(go(small "--range 5:3 --out %s", "p.pfm", ""), 2, "a range backwards");
-    check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
-    check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");
-    check_equal(go(small "--samples 900000 --resume %s --csv %s", "part.state", "part.state"), 2,
+    check_equal(go(small "--range 5:3 --out @p.pfm"), 2, "a range backwards");
+    check_equal(go("--scene nowhere --out @p.pfm"), 2, "no such scene");
+    check_equal(go(small "--error 0.5 --out @p.pfm"), 0, "to an error");
+    check_equal(go(small "--samples 900000 --resume @part.state --csv @part.state"), 2,
                 "a table instead of the state");
     check(printed("err", "this run has read it"), "refused before any work");
-    check_equal(go("--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out %s", "p.pfm",
-                   ""), 0, "any OBJ");
+    check_equal(go("--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out @p.pfm"), 0,
+                "any OBJ");
 }
 
 /* A state knows a model by its bytes; a pipe has them only once, and a picture needs them, too. */
 static void test_pipes(void)
 {
-    char text[900];
-    check_equal(mkfifo(in_directory("pipe"), 0600), 0, "made");
-    snprintf(text, sizeof text, "cat chapters/07_mesh/scenes/teapot.obj >%s &",
-             in_directory("pipe"));
-    check_equal(system(text), 0, "filled");
+    check_equal(shell("mkfifo @pipe; cat chapters/07_mesh/scenes/teapot.obj >@pipe &"), 0,
+                "filled");
     alarm(20);  /* who opened the pipe twice would wait for ever */
-    check_equal(go("%s --size 8x6 --samples 1 --out %s", "pipe", "p.pfm"), 0, "a model");
+    check_equal(go("@pipe --size 8x6 --samples 1 --out @p.pfm"), 0, "a model");
     alarm(0);
-    check_equal(go("%s --size 8x6 --samples 1 --save %s", "pipe", "p.state"), 2, "no state of it");
+    check_equal(go("@pipe --size 8x6 --samples 1 --save @p.state"), 2, "no state of it");
     check(printed("err", "--save and the like want a file, no pipe"), "and says why");
 }
 
@@ -441,7 +429,6 @@ int main(void)
     test_program();
     test_pipes();
     test_pixel();
-    char clean[300];
-    snprintf(clean, sizeof clean, "rm -r %s", directory);
-    return check_report("26_state") | (system(clean) != 0);
+    remove_directory();
+    return check_report("26_state");
 }

@@ -144,6 +144,6 @@ int main(void)
     check(files >= 30 && bytes < 100000, "%zu files, %zu bytes", files, bytes);
     if (d) closedir(d);
     if (nowhere) fclose(nowhere);
-    remove_all();
+    remove_directory();
     return check_report("27_corpus");
 }

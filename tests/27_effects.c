@@ -6,23 +6,11 @@ static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "../chapters/27_effects/lab/six.h"
 #include <sys/resource.h>
 
-/* @ of the arguments is the directory. */
-static void expand(const char *arguments, char text[1300])
-{
-    size_t n = 0;
-    for (const char *p = arguments; *p && n + 40 < 1300; p++)
-        if (*p == '@') n += (size_t)snprintf(text + n, 1300 - n, "%s/", directory);
-        else text[n++] = *p;
-    text[n] = 0;
-}
-
 static void ends(int status, const char *arguments, const char *stream, const char *said)
 {
-    char text[1300];
-    expand(arguments, text);
-    int got = run("27_effects", text);
-    check(got == status, "%s: ended with %d, not %d", text, got, status);
-    check(printed(stream, said), "%s: '%s' is not on %s", text, said, stream);
+    int got = run("27_effects", arguments);
+    check(got == status, "%s: ended with %d, not %d", arguments, got, status);
+    check(printed(stream, said), "%s: '%s' is not on %s", arguments, said, stream);
 }
 
 static void draws(const char *arguments) { ends(0, arguments, "out", "\n-> "); }
@@ -115,10 +103,7 @@ static void test_said(void)
     draws(resumed);
     put("floor.obj", "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -8\nf 1 2 3 4\n");
     ends(2, resumed, "err", "of another picture: it has 'scene");
-    char command[700];
-    snprintf(command, sizeof command, "mkfifo %s/p.scene; cat %s/room.scene >%s/p.scene &",
-             directory, directory, directory);
-    check_equal(system(command), 0, "a pipe");
+    check_equal(shell("mkfifo @p.scene; cat @room.scene >@p.scene &"), 0, "a pipe");
     ends(2, "@p.scene --save @p.state --size 8x8", "err", "--save and the like want a file");
 }
 
@@ -203,17 +188,14 @@ static void test_resumed(void)
 static void test_stopped(void)
 {
     const char *build = getenv("BUILD");
-    char command[1300], text[300], settings[state_settings] = "";
+    char text[400], settings[state_settings] = "";
     film m;
     failure f;
     snprintf(text, sizeof text, "%s/27_effects " room "--samples 1000000 --save @stop.state "
              "--out @stop.pfm >@out 2>@err & p=$! n=0; while [ ! -e @stop.state ] && "
              "[ $((n += 1)) -lt 10000 ]; do sleep 0.01; done; kill -TERM $p; wait $p",
              build ? build : "build");
-    expand(text, command);
-    int status = system(command);
-    check(WIFEXITED(status) && WEXITSTATUS(status) == 143, "SIGTERM: exit 143, not %d",
-          WEXITSTATUS(status));
+    check_equal(shell(text), 143, "SIGTERM: its exit code");
     check(printed("err", "stop.pfm holds what there was"), "and says what there is");
     check(state_read(in_directory("stop.state"), &m, settings, &f), "a whole state: %s", f.text);
     int more = 2 * (int)film_samples(&m) + 3;
@@ -232,6 +214,6 @@ int main(void)
     test_explain(), test_shipped(), test_priced(), test_resumed(), test_stopped();
     test_said();
     test_memory();
-    remove_all();
+    remove_directory();
     return check_report("27_effects");
 }

@@ -1,6 +1,6 @@
 /* 27_files.h: texts as files in a directory of their own, and what reading them gives.
  *
- *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this; main: mkdtemp, remove_all()
+ *   static char directory[] = "/tmp/27_NAME_XXXXXX";  before; main: mkdtemp, remove_directory()
  *   put("a.mtl", text)                         writes the file
  *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
  *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")
@@ -44,13 +44,6 @@ static inline void refused(const char *name, const char *text, const char *read,
     else check(f.exit_code == exit_code && strstr(f.text, where) && strstr(f.text, allowed),
                "exit %d, '%s'; expected %d, '%s', '%s'", f.exit_code, f.text, exit_code, where,
                allowed);
-}
-
-static inline void remove_all(void)
-{
-    char command[300];
-    snprintf(command, sizeof command, "rm -rf %s", directory);
-    if (system(command) != 0) abort();
 }
 
 #endif

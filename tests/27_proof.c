@@ -413,6 +413,6 @@ int main(void)
     files();
     test_promise();
     test_holes();
-    remove_all();
+    remove_directory();
     return check_report("27_proof");
 }

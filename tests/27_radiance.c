@@ -484,6 +484,6 @@ int main(void)
     test_deep();
     test_hidden_lamp();
     test_ways();
-    remove_all();
+    remove_directory();
     return check_report("27_radiance");
 }

@@ -700,6 +700,6 @@ int main(void)
     test_scene_broken();
     test_box();
     test_includes();
-    remove_all();
+    remove_directory();
     return check_report("27_readers");
 }

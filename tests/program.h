@@ -2,10 +2,13 @@
  *
  *   static char directory[] = "/tmp/NAME_XXXXXX";    before this is included; main calls mkdtemp
  *   const char *path = in_directory("g.rays")        good until the fourth call after it
- *   int status = run("17_compare", "--quick")        of $BUILD, or of build/; -1: it was killed;
- *                                                    its output goes to the files `out` and `err`
+ *   int status = run("17_compare", "--csv @t.csv")   of $BUILD, or of build/; @ is the directory;
+ *                                                    -1: it was killed; its output goes to the
+ *                                                    files `out` and `err`
+ *   int status = shell("cat @a.obj >@b.obj")         likewise
  *   if (printed("err", "--leaf 0")) ...              is that text in one of them?
  *   if (equal_files("a.pfm", "b.pfm")) ...           the same bytes, both there?
+ *   remove_directory()                               with all that is in it, at the end
  */
 #ifndef PROGRAM_H
 #define PROGRAM_H
@@ -24,14 +27,30 @@ static inline const char *in_directory(const char *name)
     return p;
 }
 
+static inline int shell(const char *command)
+{
+    char text[2000];
+    size_t n = 0;
+    for (const char *p = command; *p && n + sizeof directory + 2 < sizeof text; p++)
+        if (*p == '@') n += (size_t)snprintf(text + n, sizeof text - n, "%s/", directory);
+        else text[n++] = *p;
+    text[n] = 0;
+    int status = system(text);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 static inline int run(const char *program, const char *arguments)
 {
     const char *build = getenv("BUILD");
     char command[1400];
-    snprintf(command, sizeof command, "%s/%s %s >%s/out 2>%s/err", build ? build : "build", program,
-             arguments, directory, directory);
-    int status = system(command);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    snprintf(command, sizeof command, "%s/%s %s >@out 2>@err", build ? build : "build", program,
+             arguments);
+    return shell(command);
+}
+
+static inline void remove_directory(void)
+{
+    if (shell("rm -r @") != 0) abort();
 }
 
 static inline bool printed(const char *stream, const char *text)
