@@ -90,7 +90,7 @@ static void test_easy(void)
         check_at_least(hits, n / 3, "%s: the test sees hits", name);
         check_at_most(wrong, n / 200, "%s: 512 steps agree with implicit_hit, of %zu", name, n);
         check_equal(made_up, 0, "%s: no hit is made up", name);
-        check_at_most(off, 2000 * eps, "%s: t", name);
+        check_at_most(off, 200 * eps, "%s: t", name);
     }
 }
 

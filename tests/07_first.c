@@ -40,7 +40,7 @@ static void test_closest(mesh m)
     check_at_least((double)judged, 0.8 * (double)n, "most rays are judged");
     check_at_least((double)hits, 0.1 * (double)n, "the test sees hits");
     check_equal(wrong, 0, "hit or miss, and which triangle, against mesh_hit, of %zu", judged);
-    check_at_most(off, 4000 * eps, "t");
+    check_at_most(off, 400 * eps, "t");
     check_at_most(normal, 1000 * eps, "the normal, on the side of the ray");
     check_equal((double)first_tests, (double)n * soup.n, "each ray asks every triangle");
     first_mesh_free(&soup), mesh_free(&m);
@@ -109,7 +109,7 @@ static void test_knot(void)
     vec3 p = first_knot_point((real)0.3);
     for (int i = 0; i < m.n; i++)
         sum += solid_angle(vsub(m.tri[i].a, p), vsub(m.tri[i].b, p), vsub(m.tri[i].c, p));
-    check_close(sum / (4 * (double)pi), 1, 4000 * eps, "wound once, outward");
+    check_close(sum / (4 * (double)pi), 1, 100 * eps, "wound once, outward");
     first_mesh_free(&m);
 }
 

@@ -120,7 +120,7 @@ static void test_rays(void)
     check_equal(moved, 0, "pixels that depend on the order of drawing");
     check_at_least((double)behind, (double)judged / 20, "triangles that reach behind are seen");
     /* corners move by 2^-13 pixels; slopes of depth of some hundred a pixel near grazing planes */
-    check_at_most(depth, 0.2, "t, of planes at any angle");
+    check_at_most(depth, 0.01, "t, of planes at any angle");
 }
 
 /* Does r pass within 1 % of a weight from an edge of t? The volumes of (4.12). */
@@ -175,7 +175,7 @@ static void test_planes(void)
     check_at_least((double)(dropped[0] < dropped[1] ? dropped[0] : dropped[1]),
                    (double)(n * nx * ny) / 100, "both planes clip");
     /* corners move by 2^-17 pixels, and a hundredth of a weight is left at each edge */
-    check_at_most(weights, 0.02, "u, v of clipped triangles");
+    check_at_most(weights, 0.001, "u, v of clipped triangles");
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -438,7 +438,7 @@ static void test_parallel(void)
     }
     check_equal(wrong, 0, "pixels unlike their ray, of %zu", judged);
     check_at_least((double)hits, 0.1 * (double)judged, "the test sees triangles");
-    check_at_most(off, 1e5 * eps, "t, u, v of triangles parallel to the picture");
+    check_at_most(off, 2000 * eps, "t, u, v of triangles parallel to the picture");
 }
 
 /* From depth 1 to 9: in the middle of the picture of edge a b lies the point that is a tenth of the
@@ -464,7 +464,7 @@ static void test_slanted(void)
     }
     check_close((double)h.u, 0.5, 32 * eps, "first.h: half the way in the picture");
     check_close((double)h.t, 5, 200 * eps, "first.h: half the depth");
-    check_close((double)due.u, 0.1, 32 * eps, "raster.h: a tenth of the way in space");
+    check_close((double)due.u, 0.1, 4 * eps, "raster.h: a tenth of the way in space");
     check_close((double)due.t, 1.8, 64 * eps, "raster.h: the depth");
     first_raster_free(&s);
 }

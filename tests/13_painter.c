@@ -224,7 +224,7 @@ static void test_area(void)
         worst = fmax(worst, fabs(area[i] - whole));
     }
     check_at_most(off, 64 * (double)real_epsilon * 2, "pieces stay in their plane");
-    check_at_most(worst, 2000 * (double)real_epsilon, "areas of pieces add up");
+    check_at_most(worst, 100 * (double)real_epsilon, "areas of pieces add up");
     free(area);
     painter_free(&p);
     mesh_free(&m);

@@ -407,7 +407,7 @@ static void test_greed(void)
         bvh_box box[greed_items], all = box_empty();
         for (size_t i = 0; i < greed_items; i++) (void)triangle_item(&m, i, &item[i]);
         for (int i = 0; i < 6; i++) box[i] = item[i].box, box_add(&all, &box[i]);
-        check_close(greed_best(item, 6), every_tree(box, 6) / box_area(&all), 1e-12,
+        check_close(greed_best(item, 6), every_tree(box, 6) / box_area(&all), 1e-14,
                     "the best of the 945 trees of six triangles");
         double least = greed_best(item, greed_items);
         for (int k = 0; k < bvh_rule_count; k++) {

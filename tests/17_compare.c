@@ -249,7 +249,7 @@ static void test_wrong_is_counted(void)
 
 static void test_kinds(void)
 {
-    double bound = real_is_float ? 1e-4 : 1e-11;
+    double bound = real_is_float ? 1e-5 : 1e-14;
     world w = tiny("balls");
     scene all = world_scene(&w);
     ray_set eye = rays_view(&w, 24);
@@ -302,7 +302,7 @@ static void test_kinds(void)
 /* Aimed points lie on the outline: at right angles to the normal, or at a pole or rim. */
 static void test_aim(void)
 {
-    double bound = real_is_float ? 1e-5 : 1e-13;
+    double bound = real_is_float ? 1e-6 : 1e-14;
     sphere s = {{1, 2, 3}, 0.5};
     vec3 o = {4, -3, 2}, corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     double off = 0;

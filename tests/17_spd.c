@@ -5,7 +5,7 @@
 #include "../chapters/07_mesh/scenes/named.h"
 #include "check.h"
 
-static const double small = real_is_float ? 4e-6 : 1e-14;
+static const double small = real_is_float ? 1e-6 : 2e-15;
 
 static world made(const char *name, int scale)
 {
@@ -40,7 +40,7 @@ static void test_counts(void)
         for (int scale = g->least; scale <= g->scale && scale <= 7; scale++) {
             world w = made(g->name, scale);
             check_equal(w.n, shapes_of(g->name, scale), "shapes of %s %d", g->name, scale);
-            check_close(w.light_each * w.light_each * 4 * (real)w.lights, 1, 1e-6,
+            check_close(w.light_each * w.light_each * 4 * (real)w.lights, 1, small,
                         "%s: each light is sqrt(L)/(2L) strong", g->name);
             check(w.group[0].first == 0 && w.group[w.groups - 1].first <= w.n,
                   "%s: surfaces from the first shape on", g->name);
@@ -67,10 +67,10 @@ static void test_views(void)
         world w = made(spd_list[k].name, spd_list[k].least);
         ray middle = spd_ray(&w, 256, 256), left = spd_ray(&w, 0, 256), top = spd_ray(&w, 256, 0);
         vec3 m = vunit(middle.d), l = vunit(left.d), t = vunit(top.d);
-        check_close(vlength(vcross(m, vunit(vsub(w.at, w.from)))), 0, 4 * small, "%s: looks at it",
+        check_close(vlength(vcross(m, vunit(vsub(w.at, w.from)))), 0, small, "%s: looks at it",
                     w.name);
-        check_close(acos(vdot(m, l)), pi / 8, 40 * small, "%s: the left edge", w.name);
-        check_close(acos(vdot(m, t)), pi / 8, 40 * small, "%s: the upper edge", w.name);
+        check_close(acos(vdot(m, l)), pi / 8, 4 * small, "%s: the left edge", w.name);
+        check_close(acos(vdot(m, t)), pi / 8, 4 * small, "%s: the upper edge", w.name);
         vec3 up = vsub(w.up, vscale(m, vdot(m, w.up)));
         check_at_least((double)vdot(t, up), 0.1, "%s: y goes up", w.name);
         check_at_least((double)vdot(vcross(vneg(l), m), w.up), 0.1, "%s: left is left", w.name);
@@ -98,7 +98,7 @@ static void test_balls(void)
     sphere root = w.shape[1].sphere;
     check_ball(&w, &at, root, 4, &worst);
     check_equal(at, w.n, "every ball has its parent before it");
-    check_at_most(worst, 4 * small, "balls touch their parents and are a third as large");
+    check_at_most(worst, small, "balls touch their parents and are a third as large");
     sphere first = w.shape[2].sphere;  /* (2/3) (1, 1, 2) / sqrt 6 */
     double u = 2 / (3 * sqrt(6.0));
     check_close(first.c.x, u, small, "the first child, x");
@@ -111,7 +111,7 @@ static void test_balls(void)
     check_close(last.c.z, 0.598245, 6e-7, "z");
     vec3 sum = {0, 0, 0};
     for (size_t k = 0; k < 9; k++) sum = vadd(sum, w.shape[2 + 820 * k].sphere.c);
-    check_close(vlength((vec3){sum.x, sum.y, 0}), 0, 10 * small, "nine children about the z axis");
+    check_close(vlength((vec3){sum.x, sum.y, 0}), 0, 2 * small, "nine children about the z axis");
     check_equal(world_finish(&w, 0).kd, (real)0.8, "the floor's surface");
     check_equal(world_finish(&w, w.n - 1).ks, (real)0.5, "a ball's surface");
     world_free(&w);
@@ -143,8 +143,8 @@ static void test_gears(void)
         worst_volume = check_worse(worst_volume, fabs((double)volume - area * 0.1));
         glass += world_finish(&w, 1 + 146 * g).transmit > 0;
     }
-    check_at_most(worst_sum, 20 * small, "gears are closed, all faces outwards");
-    check_at_most(worst_volume, 20 * small, "volume of a gear, thickness 0.1");
+    check_at_most(worst_sum, 2 * small, "gears are closed, all faces outwards");
+    check_at_most(worst_volume, small, "volume of a gear, thickness 0.1");
     size_t expected = 0;
     for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++)
@@ -196,7 +196,7 @@ static void test_mount(void)
     check_close(area, 4, 100 * small, "triangles cover [-1, 1]^2 once, seen from above");
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < i; k++)
-            check_close(vlength(vsub(w.shape[i].sphere.c, w.shape[k].sphere.c)), 0.34, 10 * small,
+            check_close(vlength(vsub(w.shape[i].sphere.c, w.shape[k].sphere.c)), 0.34, small,
                         "the glass balls %d and %d touch", i, k);
     check_equal(world_finish(&w, 3).ior, (real)1.5, "they are glass");
     check_equal(world_finish(&w, 4).ior, 0, "the rock is not");
@@ -240,7 +240,7 @@ static double copies_apart(const world *w, size_t a, size_t b)
 static void check_rings_of_copies(void)
 {
     world w = made("rings", 2);
-    check_close(copies_apart(&w, 1, 3), 2 * 0.07412 / 1.07412, 5e-4,
+    check_close(copies_apart(&w, 1, 3), 2 * 0.07412 / 1.07412, small,
                 "rings of neighbours in x are as near as those of one copy");
     check_at_least(copies_apart(&w, 1, 2), 3 * 0.07412, "not so those of neighbours in z");
     check_at_least(copies_apart(&w, 0, 1), 3 * 0.07412, "nor those of two layers");
@@ -280,8 +280,8 @@ static void test_rings(void)
             tilt = check_worse(tilt, fabs(fabs((double)vdot(n[k], n[j])) - 1 / sqrt(5.0)));
         }
     }
-    check_at_most(worst, 10 * small, "cylinders join the balls of a pentagon");
-    check_at_most(tilt, 10 * small, "rings tilted as the faces of a dodecahedron: cosine 1/sqrt 5");
+    check_at_most(worst, 2 * small, "cylinders join the balls of a pentagon");
+    check_at_most(tilt, 2 * small, "rings tilted as the faces of a dodecahedron: cosine 1/sqrt 5");
     check_equal(linked, 15, "every two of six rings are linked");
     check_close(least, 2 * 0.07412 / 1.07412, 5e-4, "linked axes pass each other at 2 r / (1 + r)");
     check_at_most(least, 2 * 0.07412 - 0.009, "and that is less than 2 r: rings overlap");
@@ -335,7 +335,7 @@ static void test_tree(void)
         ends += fabs((double)c.ra / 0.15 - pow(0.67, 6)) < 1e-5;
     }
     check_equal(loose, 0, "a ball at the end of each branch");
-    check_at_most(taper, 4 * small, "branches taper to .67");
+    check_at_most(taper, small, "branches taper to .67");
     check_equal(ends, 64, "64 twigs of the thinnest");
     world_free(&w);
 }
@@ -350,7 +350,7 @@ static void test_teapot(void)
         area += (double)vcross(vsub(p.v[1], p.v[0]), vsub(p.v[2], p.v[1])).z;
         dark += world_finish(&w, i).colour.x < 1;
     }
-    check_close(area, 64, 200 * small, "the board covers [-4, 4]^2, facing up");
+    check_close(area, 64, 20 * small, "the board covers [-4, 4]^2, facing up");
     check_equal(dark, 18, "half of 36 squares are dark");
     check_equal(world_finish(&w, n - 1).kd, (real)0.75, "the pot's surface");
     world_free(&w);
