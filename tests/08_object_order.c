@@ -30,8 +30,8 @@ static void cover(random_stream *g, int bits, size_t *twice, size_t *never,
     for (int k = 0; k < (cells + 1) * (cells + 1); k++) {
         real x = (real)(k % (cells + 1) * side) / cells, y = (real)(k / (cells + 1) * side) / cells;
         bool round = random_next(g) < (real)0.5;
-        x += random_between(g, (real)-1.4, (real)1.4);
-        y += random_between(g, (real)-1.4, (real)1.4);
+        x += random_between(g, (real)-0.7, (real)0.7);  /* no cell of 4 pixels folds: */
+        y += random_between(g, (real)-0.7, (real)0.7);  /* 2 * 0.7 < 4 - 2 * (0.7 + 1/2) */
         if (round) x = floor(2 * x) / 2, y = floor(2 * y) / 2;
         int i = k % (cells + 1), j = k / (cells + 1);
         x = i == 0 ? -1 : i == cells ? side + 1 : x, y = j == 0 ? -1 : j == cells ? side + 1 : y;
