@@ -119,10 +119,8 @@ static const char drawn[] = "@t.obj @t.png";  /* what write_file writes, by the 
 
 static const char *write_file(const char *text, size_t size)
 {
-    const char *path = in_directory("t.obj");
-    FILE *out = fopen(path, "wb");
-    if (!out || fwrite(text, 1, size, out) != size || fclose(out)) abort();
-    return path;
+    put_bytes("t.obj", text, size);
+    return in_directory("t.obj");
 }
 
 /* How far first.h's triangles are from those of the full reader, relatively; infinite, if they are

@@ -5,12 +5,6 @@
 static char directory[] = "/tmp/14_files_XXXXXX";
 #include "program.h"
 
-static void write_bytes(const char *path, const void *bytes, size_t n)
-{
-    FILE *out = fopen(path, "wb");
-    if (!out || fwrite(bytes, 1, n, out) != n || fclose(out) != 0) abort();
-}
-
 /* 1, 2, -3, 0.5, 0, 0, 1, infinity as the standard writes them down, byte by byte. */
 static const unsigned char one_ray[32] = {
     0, 0, 0x80, 0x3f, 0, 0, 0, 0x40, 0, 0, 0x40, 0xc0, 0, 0, 0, 0x3f,
@@ -21,17 +15,17 @@ static void test_rays(void)
     const char *path = in_directory("one.rays");
     failure f;
     size_t n = 0;
-    write_bytes(path, one_ray, 32);
+    put_bytes("one.rays", one_ray, 32);
     ray *r = rays_read(path, &n, &f);
     check(r && n == 1, "one ray is read");
     if (r)
         check(r->o.x == 1 && r->o.y == 2 && r->o.z == -3 && r->tmin == (real)0.5 && r->d.x == 0
               && r->d.y == 0 && r->d.z == 1 && r->tmax == real_infinity, "its eight numbers");
     free(r);
-    write_bytes(path, one_ray, 31);
+    put_bytes("one.rays", one_ray, 31);
     check(!rays_read(path, &n, &f) && f.exit_code == 2 && strstr(f.text, "31 bytes"),
           "31 bytes: misuse");
-    write_bytes(path, one_ray, 0);
+    put_bytes("one.rays", one_ray, 0);
     check(!rays_read(path, &n, &f) && f.exit_code == 2, "an empty file: misuse");
     check(!rays_read(in_directory("none"), &n, &f) && f.exit_code == 1, "no file: cannot be read");
 }
@@ -78,7 +72,7 @@ static void test_pixel(void)
 
 static void test_misuse(void)
 {
-    write_bytes(in_directory("bad.obj"), "v 0 0 0\nf 1 2 3\n", 16);
+    put("bad.obj", "v 0 0 0\nf 1 2 3\n");
     check_equal(run("14_bvh", "--strategy fast"), 2, "no such strategy");
     check(printed("err", "fast") && printed("err", "sweep"),
           "the message names it and what is allowed");

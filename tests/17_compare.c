@@ -958,20 +958,14 @@ static void test_front(void)
     check(!sweep_on_front(&s, &s.entry[1]), "slower than the first at both");
 }
 
-static void put_text(const char *name, const char *text)
-{
-    FILE *out = fopen(in_directory(name), "w");
-    if (!out || fputs(text, out) < 0 || fclose(out) != 0) abort();
-}
-
 static void put_scenes(void)
 {
-    put_text("a.nff", "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1\n"
-             " resolution 9 9\nl 5 -9 9\nf 1 0 0 1 0 0 0 0\n"
-             "s 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
-             "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\n"
-             "pp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n");
-    put_text("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    put("a.nff", "b 0 0 0\nv from 0 -9 2 at 0 0 0\n up 0 0 1 angle 40 hither 1\n"
+        " resolution 9 9\nl 5 -9 9\nf 1 0 0 1 0 0 0 0\n"
+        "s 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
+        "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\n"
+        "pp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n");
+    put("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 
 /* Files of --torture, given back as another renderer's: all that are right, then some shifted. */

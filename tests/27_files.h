@@ -1,7 +1,6 @@
 /* 27_files.h: texts as files in a directory of their own, and what reading them gives.
  *
  *   static char directory[] = "/tmp/27_NAME_XXXXXX";  before; main: mkdtemp, remove_directory()
- *   put("a.mtl", text)                         writes the file
  *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
  *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")
  *                                              the file `text` makes the reading of `scene` fail so
@@ -14,14 +13,6 @@
 #include "check.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline void put_bytes(const char *name, const void *bytes, size_t n)
-{
-    FILE *out = fopen(in_directory(name), "wb");
-    if (!out || fwrite(bytes, 1, n, out) != n || fclose(out) != 0) abort();
-}
-
-static inline void put(const char *name, const char *text) { put_bytes(name, text, strlen(text)); }
 
 static inline bool read_scene(const char *name, studio *s, failure *f)
 {

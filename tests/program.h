@@ -2,6 +2,7 @@
  *
  *   static char directory[] = "/tmp/NAME_XXXXXX";    before this is included; main calls mkdtemp
  *   const char *path = in_directory("g.rays")        good until the fourth call after it
+ *   put("a.obj", text), put_bytes("a.rays", bytes, n)               writes a file there
  *   int status = run("17_compare", "--csv @t.csv")   of $BUILD, or of build/; @ is the directory;
  *                                                    -1: it was killed; its output goes to the
  *                                                    files `out` and `err`
@@ -26,6 +27,14 @@ static inline const char *in_directory(const char *name)
     snprintf(p, 256, "%s/%s", directory, name);
     return p;
 }
+
+static inline void put_bytes(const char *name, const void *bytes, size_t n)
+{
+    FILE *out = fopen(in_directory(name), "wb");
+    if (!out || fwrite(bytes, 1, n, out) != n || fclose(out) != 0) abort();
+}
+
+static inline void put(const char *name, const char *text) { put_bytes(name, text, strlen(text)); }
 
 static inline int shell(const char *command)
 {
