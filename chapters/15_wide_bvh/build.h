@@ -35,7 +35,7 @@ typedef union {
 } bvh8_bound;
 
 typedef struct { uint32_t at, begin, n; int depth; } bvh8_job;
-typedef struct { float cost[8]; } bvh8_costs;
+typedef struct { float cost[bvh8_places]; int leaves; } bvh8_costs;
 typedef struct { bvh8_bound box; eight ends; float scale[4]; int bins, ways; } bvh8_extent;
 typedef struct { eight box[most_bins]; uint32_t n[most_bins]; } bvh8_bins;
 
@@ -44,7 +44,7 @@ typedef struct {
     int leaf, width;
     bvh8_bound *item;     /* [n] */
     bvh8_bound *node;     /* [2 n] as in 14; of leaves `count` is not 0 */
-    uint8_t (*pick)[8];   /* [2 n] (15.5): the best k for j places at j - 1, 0: C(s, j - 1) */
+    uint8_t (*pick)[bvh8_places];  /* [2 n] (15.5): best k for j places at j - 1; 0: C(s, j - 1) */
     uint32_t *leaves;     /* [blocks] which becomes that block */
     bvh8_job *job;
     size_t n, jobs, job_size;
@@ -197,43 +197,46 @@ static inline void bvh8_grow_job(size_t i, void *b)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (15.5) at `at`. pick[0] is that of the places in the node which it may become; 0: a leaf. */
+/* (15.5) at `at`, for no more places than it has leaves. pick[0] is that of the places in the node
+ * which it may become; 0: a leaf. */
 static inline bvh8_costs bvh8_price(const bvh8_builder *b, uint32_t at)
 {
     const bvh8_bound *s = &b->node[at];
     uint8_t *pick = b->pick[at];
-    bvh8_costs out = {{0}};
+    bvh8_costs out = {.leaves = 1};
     if (s->count) return out;
     bvh8_costs l = bvh8_price(b, s->first), r = bvh8_price(b, s->first + 1);
-    for (int j = 2; j <= b->width; j++) {
+    out.leaves = l.leaves + r.leaves < b->width ? l.leaves + r.leaves : b->width;
+    for (int j = 2; j <= out.leaves; j++) {
         float *best = &out.cost[j - 1];
-        *best = l.cost[0] + r.cost[j - 2], pick[j - 1] = 1;
-        for (int k = 2; k < j; k++) {
+        *best = INFINITY;
+        for (int k = j > r.leaves ? j - r.leaves : 1; k < j && k <= l.leaves; k++) {
             float c = l.cost[k - 1] + r.cost[j - k - 1];
             if (c < *best) *best = c, pick[j - 1] = (uint8_t)k;
         }
     }
-    out.cost[0] = out.cost[b->width - 1] + (float)bvh8_area(&s->all), pick[0] = pick[b->width - 1];
+    pick[0] = pick[out.leaves - 1];
+    out.cost[0] = out.cost[out.leaves - 1] + (float)bvh8_area(&s->all);
     for (int j = 1; j < b->width; j++)
         if (out.cost[j - 1] <= out.cost[j]) out.cost[j] = out.cost[j - 1], pick[j] = 0;
     return out;
 }
 
 /* The nodes that take the `places` places given to `at`: into list[], and how many. */
-static inline int bvh8_places(const bvh8_builder *b, uint32_t at, int places, uint32_t *list)
+static inline int bvh8_spread(const bvh8_builder *b, uint32_t at, int places, uint32_t *list)
 {
     const uint8_t *pick = b->pick[at];
     while (places > 1 && !pick[places - 1]) places--;
     if (places == 1) return list[0] = at, 1;
-    int left = pick[places - 1], n = bvh8_places(b, b->node[at].first, left, list);
-    return n + bvh8_places(b, b->node[at].first + 1, places - left, list + n);
+    int left = pick[places - 1], n = bvh8_spread(b, b->node[at].first, left, list);
+    return n + bvh8_spread(b, b->node[at].first + 1, places - left, list + n);
 }
 
 /* Step 4 below `at`; returns its number. Without arrays it only counts what they must hold. */
 static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth)
 {
     bvh8 *w = b->w;
-    uint32_t first = b->node[at].first, list[8] = {at};
+    uint32_t first = b->node[at].first, list[bvh8_places] = {at};
     int left = b->pick[at][0], n = 1;
     if (!left && depth > 1 && !w->x.m) return bvh8_leaf | b->item[first].first;
     if (!left && depth > 1) {
@@ -241,10 +244,10 @@ static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth)
         return bvh8_leaf | (uint32_t)w->blocks++;
     }
     uint32_t me = (uint32_t)w->nodes++;
-    if (left) n = bvh8_places(b, first, left, list);
-    if (left) n += bvh8_places(b, first + 1, b->width - left, list + n);
+    if (left) n = bvh8_spread(b, first, left, list);
+    if (left) n += bvh8_spread(b, first + 1, b->width - left, list + n);
     if (depth > w->depth) w->depth = depth;
-    for (int k = 0; k < 8; k++) {
+    for (int k = 0; k < bvh8_places; k++) {
         uint32_t child = k < n ? bvh8_emit(b, list[k], depth + 1) : 0;
         if (!w->node) continue;
         eight box = k < n ? b->node[list[k]].all : EIGHT_ALL(INFINITY);
@@ -314,8 +317,9 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
 {
     aabb all;
     *w = (bvh8){.x = *x, .scale = 1, .dialect = how.dialect};
-    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8)
-        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8", how.leaf, how.width);
+    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > bvh8_places)
+        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..%d", how.leaf, how.width,
+                      bvh8_places);
     if (!items_all_bounds(x, &all, f)) return false;
     if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
     bvh8_builder b = {.w = w, .leaf = x->m ? how.leaf : 1, .width = how.width};

@@ -17,14 +17,13 @@
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
  * that is handed out, and what was in doubt, is computed in `real`: ray8.h says how sure is sure.
  *
- *   how.leaf, how.width   most triangles in a block [1..8], most children of a node [2..8]
+ *   how.leaf, how.width   most triangles in a block [1..8], children of a node [2..bvh8_places]
  *   how.threads           0: one a core; the tree is the same for any number
  *   how.dialect           EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
  *   how.most_bytes        while it is built, about; more: false
  *
  * The items must outlive the tree. Some 50 bytes a triangle. What cannot be hit (a corner that is
- * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused. A search needs
- * 512 places of a stack: 7 a level, and no tree is deeper than 64.
+ * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused.
  *
  * Source: H. Dammertz, J. Hanika, A. Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray
  * Tracing of Incoherent Rays", EGSR 2008; more on MEASURED.md.

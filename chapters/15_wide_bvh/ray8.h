@@ -123,9 +123,10 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     q->near_o = -(o * i) - error, q->far_o = error - o * i;
-    whole4 side = (whole4)(i < 0) & (int)(3 * sizeof(eight));  /* down: enters by the high side */
-    whole4 near = side + (whole4){0, sizeof(eight), 2 * sizeof(eight), 0};
-    whole4 far = near + (int)(3 * sizeof(eight)) - side * 2;
+    const int row = sizeof(float[bvh8_places]);
+    whole4 side = (whole4)(i < 0) & 3 * row;  /* down: enters by the high side */
+    whole4 near = side + (whole4){0, row, 2 * row, 0};
+    whole4 far = near + 3 * row - side * 2;
     memcpy(q->near, &near, sizeof near), memcpy(q->far, &far, sizeof far);
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
     return true;

@@ -21,7 +21,16 @@
 
 #define bvh8_leaf 0x80000000u
 
-typedef struct { eight side[6]; uint32_t child[8]; } __attribute__((aligned(64))) bvh8_node;
+/* Of a node: 8, or 16 by -Dbvh8_places=16, which are tested as two times eight. */
+#ifndef bvh8_places
+#define bvh8_places 8
+#endif
+enum { bvh8_stack = 64 * bvh8_places };  /* all but one a level wait, and no tree is deeper */
+
+typedef struct {
+    float side[6][bvh8_places];
+    uint32_t child[bvh8_places];
+} __attribute__((aligned(64))) bvh8_node;
 typedef struct { eight corner[9]; uint32_t index[8]; } __attribute__((aligned(64))) bvh8_block;
 
 typedef struct {
@@ -30,7 +39,7 @@ typedef struct {
     size_t most_bytes;
 } bvh8_options;
 
-#define bvh8_defaults ((bvh8_options){8, 8, 0, eight_best(), SIZE_MAX})
+#define bvh8_defaults ((bvh8_options){8, bvh8_places, 0, eight_best(), SIZE_MAX})
 
 typedef struct {
     items x;

@@ -10,21 +10,37 @@
  * left. A search for any hit ends there.
  */
 
-/* (15.2) of eight children: those that are met, and where, not before 0. */
-EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
+/* (15.2) of eight children, at lanes 8 h on: those that are met, and where, not before 0. */
+EIGHT_INLINE eight_set EIGHT(bvh8_half)(const bvh8_node *n, int h, const bvh8_ray *q, eight *enter)
 {
+    const eight *from = (const eight *)n->side[0] + h;
     eight near[3], far[3];
     EIGHT_UNROLL
     for (int k = 0; k < 3; k++) {
         eight i = EIGHT_ALL(q->inverse[k]);
-        near[k] = EIGHT_FMA(bvh8_row(n, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
-        far[k] = EIGHT_FMA(bvh8_row(n, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
+        near[k] = EIGHT_FMA(bvh8_row(from, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
+        far[k] = EIGHT_FMA(bvh8_row(from, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
     }
     eight begin = EIGHT_MAX(near[2], EIGHT_ALL(q->tmin));
     eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
     begin = EIGHT_MAX(EIGHT_MAX(near[0], near[1]), begin);
-    *enter = EIGHT_MAX(begin, EIGHT_ALL(0));
+    enter[h] = EIGHT_MAX(begin, EIGHT_ALL(0));
     return EIGHT_LE_BITS(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
+}
+
+/* Of all children: the set of the second eight lies between the bits of the first, or behind. */
+EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
+{
+    eight_set mask = EIGHT(bvh8_half)(n, 0, q, enter);
+    if (bvh8_places == 8) return mask;
+    return mask | EIGHT(bvh8_half)(n, 1, q, enter) << (EIGHT_DIALECT ? 8 : 1);
+}
+
+/* The number of the first of them. */
+EIGHT_INLINE int EIGHT(bvh8_first)(eight_set mask)
+{
+    int bit = __builtin_ctzll(mask);
+    return EIGHT_DIALECT ? bit : bvh8_places == 8 ? bit / 8 : bit / 8 + bit % 8 * 8;
 }
 
 /* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
@@ -92,10 +108,10 @@ EIGHT_INLINE int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eigh
                                   uint64_t *stack, int top)
 {
     const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
-    int base = top, k = EIGHT_FIRST(mask);
+    int base = top, k = EIGHT(bvh8_first)(mask);
     uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
     while (mask &= mask - 1) {
-        k = EIGHT_FIRST(mask);
+        k = EIGHT(bvh8_first)(mask);
         uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
         uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
         near = next < near ? next : near;
@@ -110,18 +126,18 @@ EIGHT_INLINE int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eigh
 /* True: any hit is enough, and there is one. */
 EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_work *work)
 {
-    uint64_t stack[512];
+    uint64_t stack[bvh8_stack];
     int top = 0;
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
             const bvh8_node *n = &w->node[at];
-            eight enter;
-            eight_set mask = EIGHT(bvh8_boxes)(n, q, &enter);
+            eight enter[bvh8_places / 8];
+            eight_set mask = EIGHT(bvh8_boxes)(n, q, enter);
             if (work) work->nodes++;
             if (mask == 0) goto next;
-            at = n->child[EIGHT_FIRST(mask)];
+            at = n->child[EIGHT(bvh8_first)(mask)];
             if ((mask & (mask - 1)) == 0) continue;
-            top = EIGHT(bvh8_push)(n, mask, &enter, stack, top);
+            top = EIGHT(bvh8_push)(n, mask, enter, stack, top);
             at = (uint32_t)stack[--top];
         }
         at &= ~bvh8_leaf;

@@ -140,10 +140,11 @@ static inline void trace_ask_item(trace_asking *a, const items *x, uint32_t i)
 /* (15.2) of one child; in float, as ray8.h pays for. */
 static inline bool trace_meets_box(const bvh8_node *n, int k, const bvh8_ray *q, float limit)
 {
+    const float *from = &n->side[0][k];
     float enter = q->tmin, leave_at = limit;
     for (int axis = 0; axis < 3; axis++) {
-        float near = bvh8_row(n->side, q->near[axis])[k] * q->inverse[axis] + q->near_o[axis];
-        float far = bvh8_row(n->side, q->far[axis])[k] * q->inverse[axis] + q->far_o[axis];
+        float near = from[q->near[axis] / sizeof *from] * q->inverse[axis] + q->near_o[axis];
+        float far = from[q->far[axis] / sizeof *from] * q->inverse[axis] + q->far_o[axis];
         enter = near > enter ? near : enter, leave_at = far < leave_at ? far : leave_at;
     }
     return enter <= leave_at;
@@ -151,7 +152,7 @@ static inline bool trace_meets_box(const bvh8_node *n, int k, const bvh8_ray *q,
 
 static inline void trace_ask(trace_asking *a, const bvh8 *w)
 {
-    uint32_t stack[512];
+    uint32_t stack[bvh8_stack];
     int top = 0;
     bvh8_ray q;
     if (w->nodes == 0 || !bvh8_ray_of(w, &a->q.r, &bvh8_skip_none, &q)) return;
@@ -159,9 +160,11 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
         uint32_t at = stack[--top], leaf = at & ~bvh8_leaf;
         float limit = bvh8_limit(&q, a->q.r.tmax);
         if (at & bvh8_leaf && !w->block) trace_ask_item(a, &w->x, leaf);
-        else for (int k = 0; k < 8 && !a->end; k++)
-            if (at & bvh8_leaf) trace_ask_item(a, &w->x, w->block[leaf].index[k]);
-            else if (trace_meets_box(&w->node[at], k, &q, limit))
+        else if (at & bvh8_leaf)
+            for (int k = 0; k < 8 && !a->end; k++)
+                trace_ask_item(a, &w->x, w->block[leaf].index[k]);
+        else for (int k = 0; k < bvh8_places; k++)
+            if (trace_meets_box(&w->node[at], k, &q, limit))
                 stack[top++] = w->node[at].child[k];
     }
 }

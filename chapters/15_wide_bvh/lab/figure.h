@@ -68,23 +68,25 @@ static inline void draw_lanes(const options *o)
     bvh8 w;
     failure f;
     bvh8_options how = bvh8_defaults;
-    how.leaf = 4;  /* a deeper tree: smaller boxes */
+    how.width = 8, how.leaf = 4;  /* a deeper tree: smaller boxes */
     if (!bvh8_build(&x, how, &w, &f)) fail(f);
     ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
     bvh8_ray q = {.doubts = 0};
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
     q.limit = INFINITY;
     const bvh8_node *n = &w.node[0];
-    eight enter, exit;
+    eight enter[bvh8_places / 8], exit;
     for (int k = 0; k < 8; k++) {
         float end = q.limit;
-        for (int a = 0; a < 3; a++)
-            end = float_min(bvh8_row(n, q.far[a])[k] * q.inverse[a] + q.far_o[a], end);
+        for (int a = 0; a < 3; a++) {
+            float far = (&n->side[0][k])[q.far[a] / sizeof far];
+            end = float_min(far * q.inverse[a] + q.far_o[a], end);
+        }
         exit[k] = end;
     }
-    eight_set met = bvh8_boxes_0(n, &q, &enter);
+    eight_set met = bvh8_boxes_0(n, &q, enter);
     for (int k = 0; k < 8; k++)
-        enter[k] /= (float)q.scale, exit[k] /= (float)q.scale;
+        enter[0][k] /= (float)q.scale, exit[k] /= (float)q.scale;
     figure_origin(&g, 330, 165, 130);
     for (size_t i = 0; i < m.triangles; i++) {
         double xy[6];
@@ -98,11 +100,11 @@ static inline void draw_lanes(const options *o)
     figure_origin(&g, 110, 345, 1);
     lanes_cells(&g, 0, "lane", NULL, 0, "#ffffff");
     for (int s = 0; s < 6; s++) {
-        eight row = n->side[s];
+        eight row = *(const eight *)n->side[s];
         for (int k = 0; k < 8; k++) row[k] /= (float)w.scale;
         lanes_cells(&g, 1 + s, side[s], &row, 0, s < 3 ? FIGURE_BLUE : FIGURE_GREEN);
     }
-    lanes_cells(&g, 8, "_t_~enter~", &enter, met, "#ffffff");
+    lanes_cells(&g, 8, "_t_~enter~", enter, met, "#ffffff");
     lanes_cells(&g, 9, "_t_~exit~", &exit, met, "#ffffff");
     lanes_cells(&g, 10, "met", NULL, met, "#ffffff");
     figure_end(&g);

@@ -4,7 +4,7 @@
 EIGHT_TARGET __attribute__((noinline))
 static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
 {
-    uint64_t stack[512];
+    uint64_t stack[bvh8_stack];
     int top = 0;
     bvh8_ray q;
     hit best = hit_none;
@@ -32,11 +32,11 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             }
         } else {
             const bvh8_node *n = &w->node[at];
-            eight enter;
-            mask = EIGHT(bvh8_boxes)(n, &q, &enter);
-            if (mask) at = n->child[EIGHT_FIRST(mask)];
+            eight enter[bvh8_places / 8];
+            mask = EIGHT(bvh8_boxes)(n, &q, enter);
+            if (mask) at = n->child[EIGHT(bvh8_first)(mask)];
             if (mask & (mask - 1)) {
-                top = EIGHT(bvh8_push)(n, mask, &enter, stack, top);
+                top = EIGHT(bvh8_push)(n, mask, enter, stack, top);
                 at = (uint32_t)stack[--top];
             }
         }

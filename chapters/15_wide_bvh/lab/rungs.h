@@ -16,10 +16,11 @@
 /* One box: what bvh8_boxes does in a lane. */
 static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float *enter)
 {
+    const float *from = &n->side[0][k];
     float begin = q->tmin, end = q->limit;
     for (int a = 0; a < 3; a++) {
-        float t0 = bvh8_row(n, q->near[a])[k] * q->inverse[a] + q->near_o[a];
-        float t1 = bvh8_row(n, q->far[a])[k] * q->inverse[a] + q->far_o[a];
+        float t0 = from[q->near[a] / sizeof *from] * q->inverse[a] + q->near_o[a];
+        float t1 = from[q->far[a] / sizeof *from] * q->inverse[a] + q->far_o[a];
         begin = float_max(t0, begin), end = float_min(t1, end);
     }
     *enter = begin;
@@ -27,15 +28,12 @@ static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float 
 }
 
 static inline eight_set rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool at_once,
-                                  float enter[8])
+                                   eight *enter)
 {
     eight_set mask = 0;
-    if (at_once) {
-        eight from;
-        mask = bvh8_boxes_0(n, q, &from);
-        memcpy(enter, &from, sizeof from);
-    } else
-        for (int k = 0; k < 8; k++) mask |= (eight_set)rung_box(n, k, q, &enter[k]) << 8 * k;
+    if (at_once) return bvh8_boxes_0(n, q, enter);
+    for (int k = 0; k < bvh8_places; k++)
+        mask |= (eight_set)rung_box(n, k, q, (float *)enter + k) << (8 * (k % 8) + k / 8);
     return mask;
 }
 
@@ -56,12 +54,13 @@ typedef struct { uint32_t child; float enter; } rung_waiting;
 __attribute__((always_inline))
 static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest, bool any)
 {
-    rung_waiting stack[512];
+    rung_waiting stack[bvh8_stack];
     int top = 1;
     query ask = query_of(r);
     bvh8_ray q;
     if (w->nodes == 0 || !bvh8_ray_of(w, &r, &bvh8_skip_none, &q)) return false;
-    float enter[8];
+    eight from[bvh8_places / 8];
+    const float *enter = (const float *)from;
     stack[0] = (rung_waiting){0, -INFINITY};
     while (top > 0) {
         rung_waiting now = stack[--top];
@@ -72,9 +71,9 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
             continue;
         }
         const bvh8_node *n = &w->node[now.child];
-        eight_set mask = rung_boxes(n, &q, at_once, enter);
+        eight_set mask = rung_boxes(n, &q, at_once, from);
         for (int base = top; mask; mask &= mask - 1) {
-            int k = __builtin_ctzll(mask) / 8, j = top++;
+            int k = bvh8_first_0(mask), j = top++;
             for (; nearest && j > base && stack[j - 1].enter < enter[k]; j--)
                 stack[j] = stack[j - 1];
             stack[j] = (rung_waiting){n->child[k], enter[k]};

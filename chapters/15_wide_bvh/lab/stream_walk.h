@@ -3,7 +3,7 @@ EIGHT_TARGET __attribute__((noinline))
 static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, stream_work *work)
 {
     const bvh8_skip none = bvh8_skip_none;
-    stream_waiting stack[512];
+    stream_waiting stack[bvh8_stack];
     bvh8_ray q[stream_rays];
     unsigned usable = 0;
     int top = 0;
@@ -13,8 +13,9 @@ static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, str
     while (top > 0) {
         stream_waiting now = stack[--top];
         bool leaf = now.child & bvh8_leaf;
-        uint32_t at = now.child & ~bvh8_leaf, rays[8] = {0};
-        eight nearest = EIGHT_ALL(INFINITY), enter;
+        uint32_t at = now.child & ~bvh8_leaf, rays[bvh8_places] = {0};
+        eight near[bvh8_places / 8], enter[bvh8_places / 8];
+        for (int h = 0; h < bvh8_places / 8; h++) near[h] = EIGHT_ALL(INFINITY);
         work->fetched += !leaf && now.rays;
         for (unsigned left = now.rays; left; left &= left - 1) {
             int i = __builtin_ctz(left);
@@ -23,16 +24,18 @@ static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, str
                 EIGHT(bvh8_triangles)(w, &w->block[at], &q[i], false);
                 continue;
             }
-            eight_set mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], &enter);
-            nearest = EIGHT_MIN(nearest, enter);
+            eight_set mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], enter);
+            for (int h = 0; h < bvh8_places / 8; h++)
+                near[h] = EIGHT_MIN(near[h], enter[h]);
             work->asked++;
-            for (; mask; mask &= mask - 1) rays[EIGHT_FIRST(mask)] |= 1u << i;
+            for (; mask; mask &= mask - 1) rays[EIGHT(bvh8_first)(mask)] |= 1u << i;
         }
-        for (int k = 0, base = top; k < 8; k++) {
+        for (int k = 0, base = top; k < bvh8_places; k++) {
             if (!rays[k]) continue;
             int j = top++;
-            for (; j > base && stack[j - 1].enter < nearest[k]; j--) stack[j] = stack[j - 1];
-            stack[j] = (stream_waiting){w->node[at].child[k], rays[k], nearest[k]};
+            const float t = near[k / 8][k % 8];
+            for (; j > base && stack[j - 1].enter < t; j--) stack[j] = stack[j - 1];
+            stack[j] = (stream_waiting){w->node[at].child[k], rays[k], t};
         }
     }
     for (int i = 0; i < n; i++)

@@ -118,10 +118,11 @@ static inline void place_bvh(shape_place *p, const bvh *b)
 
 static inline void place_bvh8(shape_place *p, const bvh8 *w)
 {
-    for (size_t at = 0; at < 8 * w->nodes; at++) {
-        uint32_t leaf = w->node[at / 8].child[at % 8], number = leaf & ~bvh8_leaf;
-        const eight *x = w->node[at / 8].side;
-        size_t k = at % 8;
+    for (size_t at = 0; at < bvh8_places * w->nodes; at++) {
+        const bvh8_node *n = &w->node[at / bvh8_places];
+        size_t k = at % bvh8_places;
+        uint32_t leaf = n->child[k], number = leaf & ~bvh8_leaf;
+        const float (*x)[bvh8_places] = n->side;
         aabb b = {bvh8_back(w, x[0][k], x[1][k], x[2][k]), bvh8_back(w, x[3][k], x[4][k], x[5][k])};
         if (!(leaf & bvh8_leaf)) continue;
         for (int i = 0; i < 8 && (w->block || i == 0); i++)
