@@ -431,8 +431,8 @@ static void test_rough_lit(void)
     lit_free(&s), environment_free(&sky);
 }
 
-/* A ball of rough glass under a lamp, 100 rays: light samples leave less than half of the error that
- * directions alone have, root mean square. (It is a fifth.) */
+/* A ball of rough glass under a lamp, 100 rays: light samples leave less than half of the error
+ * that directions alone have, root mean square. (It is a fifth.) */
 static void test_rough_noise(void)
 {
     double square[2] = {0, 0};

@@ -165,8 +165,8 @@ static void test_effects(void)
         {BALL("Kd 0\nNi 1.5\nillum 6"), R, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nNi 1.5\nillum 7"), R | M, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1"), R | G, INTEGRATOR_PATHS},
-        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") POINT, R | G, INTEGRATOR_PATHS},
-        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") LAMP, R | G, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") POINT, R | G | H, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 7\nroughness .1") LAMP, R | G | S, INTEGRATOR_PATHS},
         {BALL("Kd 0\nNi 1.5\nillum 7\nroughness 0"), R | M, INTEGRATOR_WHITTED},
         {BALL("Kd 0\nillum 7"), R, INTEGRATOR_WHITTED},             /* Ni 1 reflects nothing */
         {BALL("Kd 0\nNi 1.5\nabsorb 1 0 0\nillum 6"), R | A, INTEGRATOR_WHITTED},

@@ -393,8 +393,8 @@ static void test_hidden_lamp(void)
            "sphere 0 3 0 2.5\n", (double[3]){4, 4, 4}, 300, mask);
 }
 
-/* A mirror all round that shines: L = Ke + Ks L. By dice on the mean; without chance all but what is
- * cut at a weight of 1/512; and black rays, which everything adds, do not stand in the way. */
+/* A mirror all round that shines: L = Ke + Ks L. By dice on the mean; without chance all but what
+ * is cut at a weight of 1/512; and black rays, which everything adds, don't stand in the way. */
 static void test_deep(void)
 {
     static const char text[] = "camera from 0 0 0 at 0.3 0.2 -1\nmaterial m\nillum 3\n"

@@ -252,8 +252,9 @@ static inline bool path_through_glass(const path_tracer *t, path_walk *w, const 
         rough_glass g = {x->m->alpha, n1, n2};
         if (!path_facet(t, w, x, g, s, c, &wi, &through)) return false;
     } else {
+        vec3 wo = vneg(vunit(w->r.d));
         w->pdf = real_infinity;
-        wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), n1, n2, random_next(&s->own), &through);
+        wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
     }
     if (through) {
         real k = dielectric_squeeze(n1, n2);

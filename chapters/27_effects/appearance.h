@@ -121,7 +121,7 @@ static inline appearance appearance_of(const studio_material *m)
 /* Gives back light that falls on it: lights have something to do here. */
 static inline bool appearance_lit(const appearance *a)
 {
-    return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy);
+    return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy) || a->rough > 0;
 }
 
 /* Bounds a body of glass. */

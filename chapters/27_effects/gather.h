@@ -15,7 +15,7 @@
  *
  *   the ray comes from             and what it meets counts
  *   the eye, a mirror, glass       fully: no shadow ray could have found it
- *   a lobe                         by (24.9), if there are shadow rays, too; else fully
+ *   a lobe, rough glass            by (24.9), if there are shadow rays, too; else fully
  *   a matte surface                by (24.9), if there are shadow rays; else not at all: lamps
  *                                  and sky light surfaces only where that effect is simulated
  *
@@ -27,6 +27,7 @@
 
 #include "bodies.h"
 #include "../24_direct_light/mis.h"
+#include "../26_path_tracer/dielectric.h"
 #include "dice.h"
 
 /* A ray in hand: where it is, what it counts for, how it came to be. */
@@ -57,6 +58,9 @@ typedef struct {
     studio_face flat;   /* that s is of */
     real more;          /* touch.h */
     gather_share k;
+    const rough_glass *facets;  /* of rough glass, whose look is `a`; NULL: of none */
+    const appearance *a;
+    const media_set *behind;    /* what is in there */
 } gather_hit;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -75,13 +79,19 @@ static inline vec3 gather_left(const effects_stage *e, const media_set *in, real
     return absorbed(e->media[media_fills(e->media, in)].absorb, way);                  /* (19.9) */
 }
 
+/* The bodies on the side of the surface that d leads to: in front, or behind rough glass. */
+static inline const media_set *gather_in(const gather_hit *h, vec3 d)
+{
+    return h->facets && h->behind && vdot(h->s.n, d) < 0 ? h->behind : &h->b->in;
+}
+
 /* What of the light comes through where nothing bends it; bodies are crossed as by other rays, but
- * for the face of one that stands where the ray begins: h->b->in has it already. */
+ * for the face of one that stands where the ray begins: `in` has it already. */
 static inline vec3 gather_clear(const gather_hit *h, ray r, bool absorbs)
 {
     const effects_stage *e = h->e;
     vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
-    media_set in = h->b->in, after = in;
+    media_set in = *gather_in(h, r.d), after = in;
     for (int k = 0; k < stage_most_faces; k++, in = after) {
         studio_hit x;
         touch at = {.opaque.h.shape = no_shape};
@@ -134,8 +144,9 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
     if ((mask & EFFECT_REFRACTION) && h->e->clear)
         return *left = gather_clear(h, r, absorbs), !vzero(*left);
     if (studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r))) return false;
-    if (absorbs && h->b->in.n)  /* all the way in one medium */
-        *left = gather_left(h->e, &h->b->in, r.tmax * vlength(r.d));
+    const media_set *in = gather_in(h, r.d);
+    if (absorbs && in->n)  /* all the way in one medium */
+        *left = gather_left(h->e, in, r.tmax * vlength(r.d));
     return true;
 }
 
@@ -159,12 +170,33 @@ effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, ve
     return sum;
 }
 
+/* The same of rough glass, by (23.24), from either side; *pdf: with which effects_facet would go
+ * there, 0: it can't, or is not asked. A call, as bodies_cross. */
+__attribute__((noinline))
+static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, real *pdf)
+{
+    const rough_glass *g = h->facets;
+    shading_frame f = shading_frame_of(h->s.ns);
+    vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), none = {0, 0, 0};
+    bool through = i.z < 0;
+    *pdf = 0;
+    if ((vdot(h->s.n, wi) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return none;
+    *pdf = rough_glass_pdf(g, i, o);
+    real k = rough_glass_value(g, i, o) * fabs(i.z);
+    return through ? vscale(h->a->through, k / dielectric_squeeze(g->n1, g->n2))
+                   : vscale(h->a->mirror, k);
+}
+
 /* (27.8), of a light, a lamp or the sky. */
 effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool lit, int kind,
                                   const lit_draw *x)
 {
     vec3 v = {0, 0, 0}, left;
-    if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
+    if ((mask & EFFECT_GLOSSY) && h->facets && lit) {
+        real pdf;
+        v = vmul(gather_facets(h, mask, x->wi, &pdf), x->Le);
+        v = vscale(v, mis_power(x->pdf, pdf));
+    } else if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
         v = vmul(gather_reflects(h, mask, x->wi, x->pdf), x->Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     bool passes = gather_passes(h, mask, x, kind, &left);
@@ -179,6 +211,7 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     vec3 sum = {0, 0, 0};
     lit_draw x = {.far = false};
     bool lit = !vzero(k->matte) || !vzero(k->highlight) || !vzero(k->glossy);
+    lit = lit || ((mask & EFFECT_GLOSSY) && h->facets);
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
     for (int i = 0; mask & EFFECT_HARD_SHADOWS && i < e->lights; i++)
         if (lit_draw_light(&e->light[i], 1, h->s.p, &x))
@@ -190,7 +223,10 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     }
     if (mask & EFFECT_ENVIRONMENT) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
-        if (sky_light_sample(&e->sky, h->s.ns, u, &x))
+        bool seen = sky_light_sample(&e->sky, h->s.ns, u, &x);
+        if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
+            seen = e->sky.by_picture && sky_light_sample(&e->sky, vneg(h->s.ns), u, &x);
+        if (seen)
             sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x));
     }
     return sum;

@@ -10,7 +10,8 @@
  *     glossy       w G f cos/p about it (23.13)
  *     indirect     w Kd        anywhere, by the cosine
  *     refraction   w T         through it, bent (19.4) or straight; in total reflection back
- *     rough glass  w M, w T    instead of these: off one facet or through it, as 26 (23.26)
+ *     rough glass  w M, w T    instead of these: off one facet or through it, as 26 (23.26); gather
+ *                              finds lights on both sides of it (23.24)
  *
  *   M, G, T, Kd: appearance.h, times Fresnel's R or 1 - R where the material says so.
  *
@@ -107,23 +108,24 @@ effects_inline int effects_through(const gather_hit *h, const unsigned mask, con
 }
 
 /* Rough glass: a facet, and one of its two ways (26), glossy or, where that is simulated, through.
- * No light sample could find what it meets. A call, as bodies_cross. */
+ * Shadow rays find the same, but not the half of an even sky that is behind: there cosine is 0. A
+ * call, as bodies_cross. */
 __attribute__((noinline))
-static int effects_facet(const gather_hit *h, const unsigned mask, const appearance *a,
-                         real n1, real n2, const media_set *after, branch *c)
+static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
 {
-    rough_glass g = {a->rough, n1, n2};
     random_stream s = dice_stream(h->d, h->b->node);
     vec3 wi, n = h->s.n;
     bool through;
-    real power;
-    if (!dielectric_rough(g, h->s.ns, vneg(h->b->r.d), &s, &wi, &through, &power)
+    real power, pdf;
+    if (!dielectric_rough(*h->facets, h->s.ns, vneg(h->b->r.d), &s, &wi, &through, &power)
         || (vdot(wi, n) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return 0;
-    vec3 weight = vmul(h->b->weight, vscale(through ? a->through : a->mirror, power));
+    vec3 weight = vmul(h->b->weight, vscale(through ? h->a->through : h->a->mirror, power));
     if (!effects_follows(h, mask, DICE_SURVIVES_GLOSSY, &weight)) return 0;
     effects_child(h, mask, through ? RAY_REFRACTED : RAY_GLOSSY, through ? vneg(n) : n, wi, weight,
                   c);
-    if (through && after) c->in = *after;
+    if (through && h->behind) c->in = *h->behind;
+    gather_facets(h, mask, wi, &pdf);
+    if (pdf > 0) c->pdf = pdf, c->cosine = real_max(vdot(h->s.ns, wi), 0);
     return 1;
 }
 
@@ -162,15 +164,12 @@ static inline int effects_black_last(branch child[4], int n)
 }
 
 /* Its children, the one to be traced first last. */
-effects_inline int effects_children(const gather_hit *h, const unsigned mask, const appearance *a,
-                                    const snell *x, bool bends, const media_set *after,
-                                    branch child[4])
+effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
+                                    bool bends, const media_set *after, branch child[4])
 {
     int n = 0;
     if (mask & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k.matte, child);
-    if ((mask & EFFECT_GLOSSY) && a->rough > 0)
-        n += effects_facet(h, mask, a, bends ? (real)x->n1 : 1, bends ? (real)x->n2 : a->ior, after,
-                           &child[n]);
+    if ((mask & EFFECT_GLOSSY) && h->facets) n += effects_facet(h, mask, &child[n]);
     else if (mask & EFFECT_GLOSSY)
         n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
     if (mask & EFFECT_MIRROR) {
@@ -248,6 +247,14 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         return 1;
     }
     effects_shares(mask, a, r.d, &h.s, &at, bends, &h.k);
+    rough_glass facets;
+    h.facets = NULL, h.a = a, h.behind = body ? &after : NULL;
+    if ((mask & EFFECT_GLOSSY) && a->rough > 0) {
+        facets = (rough_glass){a->rough, bends ? e->media[inside].ior : 1,
+                               bends ? e->media[to].ior : a->ior};
+        h.facets = &facets;
+        h.s.error += h.more, h.more = 0;  /* for shadow rays, too */
+    }
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
@@ -258,7 +265,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     *sum = vadd(*sum, vmul(b->weight, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
-    return effects_children(&h, mask, a, &at, bends, body ? &after : NULL, child);
+    return effects_children(&h, mask, &at, bends, h.behind, child);
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied. Of
