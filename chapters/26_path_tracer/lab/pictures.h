@@ -121,7 +121,8 @@ static inline void draw_light(const options *o)
     bool whole = render_range(&s.j, &s.film, 0, samples);
     double start = clock_seconds();
     light_tracer_of(&s.c.s, s.c.eye, side, side, &l);
-    whole = light_picture(&l, o->seed, paths, o->threads, &im, &work) && whole;
+    if (whole) whole = light_picture(&l, o->seed, paths, o->threads, &im, &work);
+    else im = image_new(side, side);  /* Ctrl-C stopped the first half: no second one */
     double seconds[2] = {s.j.pass.seconds, clock_seconds() - start};
     size_t rays[2] = {path_rays(&s.j.counts), work.rays + work.shadow};
     for (int k = 0; k < 2; k++) {
