@@ -438,6 +438,6 @@ int main(void)
     test_rough_contact();
     test_rough_skies();
     test_rough_point();
-    remove_all();
+    remove_directory();
     return check_report("27_glass");
 }
