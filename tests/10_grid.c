@@ -282,7 +282,7 @@ static void test_limit_is_exact(void)
     if (!grid_build(x, o, &g, &f)) fail(f);
     if (!nested_build(x, p, &n, &f)) fail(f);
     o.most_bytes = grid_stats(&g).peak, p.most_bytes = nested_stats(&n).peak;
-    const cell_lists *l = &g.lists;  /* where each cell's list begins and the last ends; a bit a cell */
+    const cell_lists *l = &g.lists;  /* where each list begins and the last ends; a bit a cell */
     check_equal((double)o.most_bytes,
                 4 * (double)(l->cells + 1) + 4 * (double)l->references
                     + 8 * (double)(l->cells / 64 + 1), "bytes, by the arrays' lengths");

@@ -294,7 +294,7 @@ static void test_median(void)
     kd_splitter s = {KD_MEDIAN, 1, 1, 0, a, b, c};
     kd_box cell = {{0, 0, 0}, {4, 16, 8}};
     kd_item item[n] = {{.index = 0}};
-    const float lo[n] = {2, 14, 0, 4, 3}, hi[n] = {4, 16, 1, 9, 4};  /* centres 3, 15, .5, 6.5, 3.5 */
+    const float lo[n] = {2, 14, 0, 4, 3}, hi[n] = {4, 16, 1, 9, 4};  /* 3, 15, .5, 6.5, 3.5 */
     for (int i = 0; i < n; i++) item[i].box.lo[1] = lo[i], item[i].box.hi[1] = hi[i];
     kd_choice found = kd_choose(&s, item, n, &cell);
     check_equal(found.axis, 1, "the longest side");

@@ -283,7 +283,7 @@ static void test_limits(void)
     mesh_free(&t);
 }
 
-/* Copies of one triangle: their own plane has all of them on it, and none through an edge parts them. */
+/* Copies of one triangle: all lie on their own plane, and none through an edge parts them. */
 static void test_copies(void)
 {
     mesh m = mesh_room(8);

@@ -341,9 +341,10 @@ static void test_lamps(void)
     lamps_free(&l), studio_tree_free(&t), studio_free(&s);
 }
 
-/* What (16.3) says of a lamp that was moved, by the sum of placing.h, each term told by hand: M = 2,
- * A = 1/2, m = (4, -8, 1), V = 3, k = K = 1, nothing left of E and f; its corners are 10 from 0. The
- * ray that meets it pays a pad; its corners, M v + m, are four roundings of 2 V + 8 off. */
+/* What (16.3) says of a lamp that was moved, by the sum of placing.h, each term told by hand:
+ * M = 2, A = 1/2, m = (4, -8, 1), V = 3, k = K = 1, nothing left of E and f; its corners are 10
+ * from 0. The ray that meets it pays a pad; its corners, M v + m, are four roundings of 2 V + 8
+ * off. */
 static void test_moved_lamp(void)
 {
     failure f;
@@ -357,7 +358,8 @@ static void test_moved_lamp(void)
     studio_begin(&s);
     uint32_t lamp = studio_add_material(&s, "lamp", (cite){0, 0});
     s.material[lamp].ke = (vec3){1, 1, 1};
-    affine place = affine_then(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){4, -8, 1}));
+    affine place = affine_scaling((vec3){2, 2, 2});
+    place = affine_then(place, affine_translation((vec3){4, -8, 1}));
     studio_place(&s, studio_add_mesh(&s, m, allocate(1, 4), 0, false), place, lamp, (cite){0, 0});
     if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) fail(f);
     lamps_build(&t, &l);
