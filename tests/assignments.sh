@@ -5,12 +5,8 @@
 #
 # Keeps the tables of chapters/teaching.md, too: `sh tests/assignments.sh tables` prints them.
 set -u
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "assignments.sh: FAILED: $1"; }
+. tests/check.sh
 is() { if [ "$1" = "$2" ]; then ok; else no "$3: $1, expected $2"; fi; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 export BUILD="${BUILD:-build}"
 here=tests/assignments
 tab=$(printf '\t')
@@ -215,5 +211,4 @@ END
     if grep -q '^[=+@-]' "$scratch/grades.csv"; then no 'grades.csv: a formula'; else ok; fi
 fi
 
-echo "assignments.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

@@ -1,12 +1,8 @@
 #!/bin/sh
 # Every built program of a chapter: misuse, files that can't be read or written, full disks, Ctrl-C,
 # and what the options promise. BUILD names the directory of the programs, CC the compiler.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "cli.sh: FAILED: $name: $*"; }
-root=$PWD
+. tests/check.sh
 case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
 trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 
 # run STATUS ARGUMENTS...: runs the program, which must end with that status
@@ -223,5 +219,4 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
 done
 name=cli.sh
 if [ "$failed" -gt 0 ] || [ "$passed" -gt 0 ]; then :; else no "no program was found"; fi
-echo "cli.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

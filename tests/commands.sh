@@ -6,13 +6,8 @@
 # Each is run once, in the order of the texts. What stands in [--..] is optional, and not run. Files that texts
 # name (FILE.obj, R.rays, my.h ..) are made before. BUILD: where check finds the programs.
 unset MAKEFLAGS MFLAGS MAKELEVEL
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "commands.sh: FAILED: $1"; }
-root=$PWD
+. tests/check.sh
 : "${BUILD:=build}" "${LIMIT:=300}"
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM
 
 # commands PAGE..: each once, "PAGE:LINE<TAB>COMMAND". In a block a command ends at two spaces, or at " #".
@@ -165,5 +160,4 @@ check) planted; check "$@" ;;
 run) run_all "$@" ;;
 *) echo "commands.sh: check, or nothing" >&2; exit 2 ;;
 esac
-echo "commands.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

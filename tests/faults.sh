@@ -5,16 +5,11 @@
 #   FAULTS=60 SEED=2 BUILD=build sh tests/faults.sh
 # FAULTS of each kind a program (2, then of two programs only); SEED: which; ONLY: programs. Allocations: where
 # there is LD_PRELOAD and glibc.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "faults.sh: FAILED: $name: $*"; }
-root=$PWD
+. tests/check.sh
 : "${FAULTS:=2}" "${SEED:=1}"
 if [ "$FAULTS" -le 2 ]; then programs='14_bvh 27_effects'
 else programs='07_mesh 14_bvh 17_compare 26_path_tracer 27_effects'; fi
 case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
 name=faults.sh
 
@@ -147,5 +142,4 @@ for name in ${ONLY:-$programs}; do
     cd "$scratch" || exit 1
 done
 name=faults.sh
-echo "faults.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

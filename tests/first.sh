@@ -1,15 +1,10 @@
 #!/bin/sh
 # The short book, first.h and first.c of each chapter: what they may include, how long they may be, that
 # each compiles by its own line 2 beside nothing but what it includes, and what it does when it runs.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "first.sh: FAILED: $1"; }
+. tests/check.sh
 at_most() { if [ "$1" -le "$2" ]; then ok; else no "$3 has $1 lines, at most $2 are wanted"; fi; }
-root=$PWD
 BUILD=${TESTS:-${BUILD:-build}}
 case $BUILD in /*) ;; *) BUILD=$root/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 
 # strangers DIR: each #include of a first.h or first.c below DIR that is neither the C library, nor one
 # of vec3.h, image.h, random.h, nor the first.h of a chapter of the same or a lower number
@@ -117,5 +112,4 @@ for main in chapters/*/first.c; do
     done
 done
 
-echo "first.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

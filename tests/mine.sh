@@ -37,11 +37,7 @@ if [ "${1:-}" != tests ]; then
     exit "$status"
 fi
 
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "mine.sh: FAILED: $1"; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. tests/check.sh
 
 # tried STATUS TEXT NUMBER FILE [OPTION..]: ends with this status, and says the text
 tried() {
@@ -79,5 +75,4 @@ tried 1 '  expected: no hit' 09 "$scratch/wrong.h" --quick
 wrong 17 'm->box\[i\], hair' 'm->box[i], 0'
 tried 1 'mine: wrong ray: o = ' 17 "$scratch/wrong.h" --verify --scene teapot --scale 3 --only mine
 
-echo "mine.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

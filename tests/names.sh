@@ -2,11 +2,7 @@
 # shellcheck disable=SC2016
 # Names in the tree: no two headers define the same guard, type or macro, nor a function that a concept or
 # common/ defines; and what a header's contract (its first comment) calls exists, with so many arguments.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "names.sh: FAILED: $1"; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. tests/check.sh
 
 headers() { find "$1/common" "$1/chapters" -name '*.h' | sort; }
 
@@ -111,5 +107,4 @@ if [ "$seen" -eq 3 ]; then ok; else no "3 clashes were planted, $seen seen"; fi
 seen=$(promises "$scratch/tree" "$scratch/planted" | wc -l)
 if [ "$seen" -eq 3 ]; then ok; else no "3 false promises were planted, $seen seen"; fi
 
-echo "names.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

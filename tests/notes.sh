@@ -2,12 +2,8 @@
 # The pages beside the lecture notes: every link leads to a file that holds what the link says, a function by
 # name or a number; formulas that are cited stand in the chapter they name; every heading of the notes is
 # there; each row of the ledger has a verdict. `sh tests/notes.sh table [DIRECTORY]` prints the ledger.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "notes.sh: FAILED: $1"; }
+. tests/check.sh
 pages=chapters/notes
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 
 # The ledger, without and with what programs found: `make notes` gives the directory of their CSV.
 if [ "${1:-}" = table ]; then
@@ -88,5 +84,4 @@ mark 'a, b; error; > c' 'c,1; error; = 0' 'a, b; time; < 2.5' 'a, b; error; < c'
 seen=$(awk -v csv="$scratch" -f tests/notes_ledger.awk "$scratch/rows" | grep -c 'DOES NOT HOLD')
 if [ "$seen" -eq 3 ]; then ok; else no "3 of 6 planted claims do not hold, $seen were found"; fi
 if awk -v csv="$scratch" -f tests/notes_ledger.awk "$scratch/rows" >/dev/null; then no "it ends with 0"; else ok; fi
-echo "notes.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

@@ -6,13 +6,8 @@
 # are times. FULL=1: the programs run with --full, and every table must be found; otherwise those that
 # the default run prints are compared. TABLES=no: no program runs, only the form of the pages is tested.
 # BUILD names the directory of the programs, JOBS how many at a time.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "pages.sh: FAILED: $1"; }
-root=$PWD
+. tests/check.sh
 case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 
 # tables FILE: each line "title<TAB>real<TAB>header<TAB>row<TAB>row..", cells divided by |, timed ones as *
 tables() {
@@ -137,7 +132,7 @@ if [ "$(wc -l <"$scratch/named")" -ge 60 ]; then ok; else no "costs.c: fewer tha
 if shows 03_sphere row 'sphere_hit|' && ! shows 03_sphere row 'here_hit|'; then ok; else no "rows of tables"; fi
 
 # Programs cut short, or with another compiler's libm, would print other numbers.
-if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi
+if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then report; exit; fi
 
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
@@ -172,5 +167,4 @@ for name in $names; do
         # A table without its line "real = .." could not be compared: none may stand there.
     done
 done
-echo "pages.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

@@ -1,11 +1,7 @@
 #!/bin/sh
 # The rules of the tree: who may include whom, that each main.c compiles alone by its own line 2, and
 # that the common module stays small. `sh tests/rules.sh graph` prints the include graph instead.
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "rules.sh: FAILED: $1"; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. tests/check.sh
 
 # includes DIR: "FILE TARGET" for each #include "..." below DIR, both relative to DIR
 includes() {
@@ -120,5 +116,4 @@ long=$(LC_ALL=C find common chapters tests -name '*.[hc]' -exec awk '{ gsub(/[\2
     length > 100 && !(FNR == 2 && FILENAME ~ /(main|first)\.c$/) { print FILENAME ":" FNR }' {} +)
 if [ -z "$long" ]; then ok; else no "lines longer than 100 columns: $long"; fi
 
-echo "rules.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report

@@ -2,11 +2,7 @@
 # A ray's way through 26: the files whose functions path_radiance enters, and what these enter in turn, in
 # a scene: `sh tests/way.sh` lists them. In the Cornell box 25 at most; all are named in 26's MEASURED.md,
 # and it names no other. (gcc -finstrument-functions; addr2line says where a function is.)
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "way.sh: FAILED: $1"; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. tests/check.sh
 page=chapters/26_path_tracer/MEASURED.md
 
 cat >"$scratch/way.c" <<'END'
@@ -52,5 +48,4 @@ sort -u "$scratch/cornell" "$scratch"/[smtr]* | grep '^c.*\.h$' | sed 's|^chapte
 awk '/^## / { on = 0 } /^## A ray.s way/ { on = 1 } on' $page | grep -o '([^)]*\.h)' | tr -d '()' |
     sed 's|^\.\./\.\./||; s|^\.\./||; /\//!s|^|26_path_tracer/|' | sort -u >"$scratch/said"
 if diff "$scratch/said" "$scratch/all"; then ok; else no "$page names other files (<) than rays cross (>)"; fi
-echo "way.sh: $passed passed, $failed failed"
-[ $failed -eq 0 ]
+report
