@@ -130,14 +130,22 @@ static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Seen along the ray: the shear x - (dx/dz) z, y - (dy/dz) z takes the ray to the z axis (4.9). kz
- * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
-static inline ray_shear shear_of(ray r)
+ * is the longest axis, so neither slope exceeds 1. */
+static inline ray_shear shear_along(const ray *r, int kz)
 {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};  /* which is longest is chance: no branch */
-    int kz = vlongest(r.d), kx = next[kz + 1], ky = next[kz + 2];
-    real dz = vfinite(r.d) ? vaxis(r.d, kz) : (real)NAN;
-    vec3 o = {vaxis(r.o, kx), vaxis(r.o, ky), vaxis(r.o, kz)};
-    return (ray_shear){kx, ky, kz, o, vaxis(r.d, kx) / dz, vaxis(r.d, ky) / dz, 1 / dz};
+    int kx = next[kz + 1], ky = next[kz + 2];
+    real dz = vaxis(r->d, kz);
+    vec3 o = {vaxis(r->o, kx), vaxis(r->o, ky), vaxis(r->o, kz)};
+    return (ray_shear){kx, ky, kz, o, vaxis(r->d, kx) / dz, vaxis(r->d, ky) / dz, 1 / dz};
+}
+
+/* A direction 0, infinite or NaN makes NaN. */
+static inline ray_shear shear_of(ray r)
+{
+    ray_shear s = shear_along(&r, vlongest(r.d));
+    if (!vfinite(r.d)) s.sx = s.sy = s.sz = (real)NAN;
+    return s;
 }
 
 /* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles

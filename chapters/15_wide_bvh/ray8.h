@@ -142,7 +142,7 @@ eight_inline ray bvh8_rest(const bvh8_ray *q)
 
 static inline const ray_shear *bvh8_shear(bvh8_ray *q)
 {
-    if (!q->sheared) q->shear = shear_of(*q->r), q->sheared = true;
+    if (!q->sheared) q->shear = shear_along(q->r, vlongest(q->r->d)), q->sheared = true;
     return &q->shear;
 }
 
