@@ -23,6 +23,7 @@ static char *written(FILE *f)
 }
 
 static const contender_settings as_it_is = {.n = 0};
+static const compare_choice usual_choice = {.how = {.n = 0}};
 
 static world tiny(const char *name)
 {
@@ -334,7 +335,7 @@ static void test_shrunk_box(const char *name)
     scene all = world_scene(&w);
     items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
     failure f;
-    compare_entry e = {.c = &bvh_contender};
+    compare_entry e = {.c = &bvh_contender, .choice = &usual_choice};
     e.s = contender_build(e.c, &as_it_is, &x, (size_t)1 << 30, &f);
     ray r = {{0, 0, 0}, 0, {0, 0, 0}, 0};
     hit due = hit_none;
@@ -345,7 +346,6 @@ static void test_shrunk_box(const char *name)
     check(due.shape != no_shape, "%s: a ray hits", name);
     const bvh_tree *t = bvh_tree_of(e.s);
     size_t shrunk = 0;
-    char leaf[64] = "none";
     FILE *out = tmpfile();
     if (!out) abort();
     check(prove_entry(&e, &x, &r, &due, 1, true, "brute force", out) && ftell(out) == 0,
@@ -355,7 +355,6 @@ static void test_shrunk_box(const char *name)
             bvh_box *box = &t->node[i].box;
             if (bvh_item_at(e.s, t->node[i].first + k) != due.shape) continue;
             memcpy(box->side + 3, box->side, 3 * sizeof *box->side);
-            snprintf(leaf, sizeof leaf, "node %zu lists it, the nearest of 1:", i);
             shrunk++;
         }
     check_equal(shrunk, 1, "%s: its leaf is found", name);
@@ -363,8 +362,8 @@ static void test_shrunk_box(const char *name)
           "%s: broken, and found out", name);
     char *text = written(out);
     check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
-    check(strstr(text, leaf) && strstr(strstr(text, leaf), " outside"), "%s: its leaf is named: %s",
-          name, text);
+    check(strstr(text, "built anew, it is right here"), "%s: what is broken is this tree: %s", name,
+          text);
     free(text), fclose(out);
     contender_free(e.c, e.s);
     world_free(&w);
@@ -378,7 +377,7 @@ static patient *patient_new(const contender *c, ray r)
     patient *p = allocate(1, sizeof *p);
     failure f;
     p->m = teapot_mesh(4), p->x = items_of_mesh(&p->m), p->c = *c, p->r = r;
-    p->e.c = &p->c;
+    p->e.c = &p->c, p->e.choice = &usual_choice;
     p->e.s = contender_build(c, &as_it_is, &p->x, (size_t)1 << 30, &f);
     if (!p->e.s) fail(f);
     p->due = hit_none;
@@ -441,11 +440,9 @@ static void test_lost_way(patient *p, bool any)
                 "%s: lost from more than 3 away: %s",
                 right.name, text);
     check(strstr(text, " itself: x "), "%s: where the shape is: %s", right.name, text);
-    shape_place at_hit = place_of(&right, p->e.s, p->due.shape, ray_at(p->r, p->due.t));
-    if (at_hit.what) {  /* of a reader's own nobody knows */
-        snprintf(answer, sizeof answer, "%s %zu lists it", at_hit.what, at_hit.number);
-        check(strstr(text, answer), "%s: which leaf lists it: %s", right.name, text);
-    }
+    at = strstr(text, "built of 1 shape alone: ");
+    uint32_t alone = at ? (uint32_t)strtoul(at + strlen("built of 1 shape alone: "), NULL, 10) : 0;
+    check(at && alone == p->due.shape, "%s: that shape is enough: %s", right.name, text);
     free(text);
     p->c = right;
 }
@@ -462,87 +459,46 @@ static void test_patients(void)
     }
 }
 
-static bool listed(const uint32_t *item, size_t first, size_t end, uint32_t wanted)
+/* Takes the second hit on the way, where there is one: of two triangles, and of a ball alone. */
+static bool second_hit(const void *s, ray r, hit *out)
 {
-    while (first < end && item[first] != wanted) first++;
-    return first < end;
+    hit h;
+    if (!bvh_hit(s, r, out)) return false;
+    r.tmin = out->t * (1 + 64 * real_epsilon);
+    if (bvh_hit(s, r, &h)) *out = h;
+    return true;
 }
 
-/* Does the leaf, or cell, of that number list the shape? By the structure's own arrays. */
-static bool number_lists(const contender *c, const void *s, const shape_place *p)
+/* The ray hits item i. */
+static bool meets(const items *x, uint32_t i, ray r)
 {
-    const char *type = c->type;
-    size_t k = p->number;
-    if (strcmp(type, "grid") == 0 || strcmp(type, "nested") == 0) {
-        const grid *g = strcmp(type, "grid") ? &((const nested *)s)->g : s;
-        return listed(g->lists.item, g->lists.first[k], g->lists.first[k + 1], p->shape);
-    }
-    if (strcmp(type, "octree") == 0) {
-        octree_node n = ((const octree *)s)->node[k];
-        size_t end = n.first + (n.kind & ~octree_is_leaf);
-        return n.kind & octree_is_leaf
-               && listed(((const octree *)s)->reference, n.first, end, p->shape);
-    }
-    if (strcmp(type, "kdtree") == 0) {
-        const kdtree *t = s;
-        kd_node n = t->node[k];
-        for (uint32_t i = n.first; kd_is_leaf(n) && i < n.first + kd_count(n); i++)
-            if ((t->triangle ? t->triangle[i].index : t->index[i]) == p->shape) return true;
-        return false;
-    }
-    if (strcmp(type, "bsp") == 0) {
-        bsp_node n = ((const bsp *)s)->node[k];
-        size_t end = n.first + (n.kind & ~bsp_leaf_bit);
-        return n.kind & bsp_leaf_bit
-               && listed(((const bsp *)s)->reference, n.first, end, p->shape);
-    }
-    if (strcmp(type, "bvh") == 0) {
-        bvh_node n = bvh_tree_of(s)->node[k];
-        for (uint32_t i = n.first; i < n.first + n.count; i++)
-            if (bvh_item_at(s, i) == p->shape) return true;
-        return false;
-    }
-    if (strcmp(type, "bvh8") == 0) {
-        const bvh8 *w = s;
-        return w->block ? listed(w->block[k].index, 0, 8, p->shape) : k == p->shape;
-    }
-    const aabb *b = &((const example *)s)->box[k];
-    return vzero(vsub(b->lo, p->box.lo)) && vzero(vsub(b->hi, p->box.hi));
+    query q = query_of(r);
+    return query_ask(&q, x, i, false);
 }
 
-/* Leaves that list a shape: all of them are found, one of them holds the hit, by (10.1), and the
- * number that is said is its own. */
-static void test_places(const char *name)
+/* The fewest are so many, and the ray meets each. */
+static void test_fewest(const char *name, size_t fewest)
 {
     world w = tiny(name);
-    comparison s;
-    line_up all = everybody();
-    compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-    ray_set eye = rays_view(&w, 16);
-    aabb bounds;
-    failure f;
-    if (!items_all_bounds(&s.x, &bounds, &f)) fail(f);
-    for (int k = 1; k < s.entries; k++) {
-        const compare_entry *e = &s.entry[k];
-        size_t lists = 0, hits = 0, numbered = 0;
-        double off = 0;
-        if (strcmp(e->c->type, "mine") == 0) continue;  /* nobody knows what is in it */
-        check(place_of(e->c, e->s, 0, w.at).what != NULL, "%s: is known", e->c->name);
-        for (size_t i = 0; i < s.x.n; i++) lists += place_of(e->c, e->s, (uint32_t)i, w.at).lists;
-        check_equal(lists, e->stats.references, "%s %s: all of all shapes", name, e->c->name);
-        for (size_t i = 0; i < eye.n; i++) {
-            hit h = hit_none;
-            if (!items_hit(&s.x, eye.r[i], &h)) continue;
-            shape_place p = place_of(e->c, e->s, h.shape, ray_at(eye.r[i], h.t));
-            off = check_worse(off, (double)(p.far / query_delta(eye.r[i], bounds)));
-            hits++, numbered += number_lists(e->c, e->s, &p);
-        }
-        check_at_least(hits, 50, "%s: enough hits", name);
-        check_equal(numbered, hits, "%s %s: the number is that of the leaf", name, e->c->name);
-        /* delta is the promise (10.1); what is met is a thousandth of it */
-        check_at_most(off, 1, "%s %s: a leaf holds each hit, within delta", name, e->c->name);
+    scene all = world_scene(&w);
+    items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
+    contender broken = bvh_contender;
+    uint32_t *which = allocate(x.n, sizeof *which);
+    size_t wrong = 0, tried = 0;
+    ray_set eye = rays_view(&w, 12);
+    broken.hit = second_hit;
+    for (size_t i = 0; i < eye.n; i++) {
+        check_equal(fewest_of(&bvh_contender, &as_it_is, &x, eye.r[i], no_shape, which), 0,
+                    "%s: of what is right none is wrong", name);
+        size_t n = fewest_of(&broken, &as_it_is, &x, eye.r[i], no_shape, which);
+        if (n == 0) continue;
+        tried++;
+        wrong += n != fewest || which[0] > which[n - 1];
+        for (size_t k = 0; k < n; k++) wrong += !meets(&x, which[k], eye.r[i]);
     }
-    rays_free(&eye), compare_end(&s), world_free(&w);
+    check_equal(wrong, 0, "%s: so many shapes, met by the ray, of %zu rays", name, tried);
+    check_at_least(tried, 10, "%s: rays that meet two", name);
+    free(which), rays_free(&eye), world_free(&w);
 }
 
 static bool dreaming_hit(const void *s, ray r, hit *out)
@@ -1033,8 +989,8 @@ int main(void)
     test_shrunk_box("tetra");
     test_shrunk_box("gears");
     test_patients();
-    test_places("teapot");
-    test_places("balls");
+    test_fewest("teapot", 2);
+    test_fewest("balls", 1);
     test_wrong_answers();
     test_open_ends();
     test_costs();

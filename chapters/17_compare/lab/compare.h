@@ -233,7 +233,7 @@ static inline bool prove_entry(const compare_entry *e, const items *x, const ray
     for (size_t i = 0; i < n; i++) {
         if (closed ? prove_closed(e->c, e->s, r[i], due[i], &w)
                    : prove_ray(e->c, e->s, r[i], due[i], &w)) continue;
-        explain_wrong(e->c, e->s, x, &w, oracle, out);
+        explain_wrong(e->c, &e->choice->how, e->s, x, &w, oracle, out);
         return false;
     }
     return true;

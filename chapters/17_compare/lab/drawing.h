@@ -40,6 +40,21 @@ static inline mesh closed_mesh(void)
     return m;
 }
 
+/* The nodes from the root to the leaf of item `wanted`; how many. 0: it is in none. */
+static inline int example_path(const example *e, uint32_t wanted, size_t path[64])
+{
+    size_t k = 0, first = 0, n = e->n, at = 0;
+    int depth = 0;
+    while (at < e->n && e->item[at].index != wanted) at++;
+    while (at < e->n) {
+        path[depth++] = k;
+        if (n == 1) break;
+        if (at < first + n / 2) k++, n /= 2;
+        else k += 2 * (n / 2), first += n / 2, n -= n / 2;
+    }
+    return depth;
+}
+
 static inline void closed_draw(const options *o)
 {
     static const char *const asked[aimed_ways] = {"as it came", "ends at its hit",

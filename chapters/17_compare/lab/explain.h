@@ -1,7 +1,8 @@
 /* explain.h: why did a search not find a hit? For those who change a structure, or write one, of
  * which nothing is known here but its verbs.
  *
- *   explain_wrong(c, s, &x, &w, oracle, out)    the ray, what it should hit and what it did; then
+ *   explain_wrong(c, how, s, &x, &w, oracle, out)   the ray, what it should hit, and what it did;
+ *                                                   then
  *
  *   explain_window(c, s, &w, out)
  *
@@ -10,16 +11,18 @@
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_shape(c, s, &x, &w, out)   the nearest box: the shape's own, and how far the point of
- *                                      the hit lies outside; boxes no wider than that lose it. Then
- *                                      the leaf, or cell, that lists the shape there (places.h)
+ *   explain_shape(&x, &w, out)         the nearest box: the shape's own, and how far the point of
+ *                                      the hit lies outside; boxes no wider than that lose it
+ *
+ *   explain_fewest(c, how, &x, &w, out)   the fewest shapes of which it is wrong, too (fewest.h)
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
-#include "../proof.h"
-#include "places.h"
+#include "fewest.h"
 #include <stdio.h>
+
+enum { explain_most = 8 };  /* shapes that are named */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -101,6 +104,13 @@ static inline void explain_window(const contender *c, const void *s, const wrong
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
 }
 
+/* How far p lies outside, along the axis on which that is most; 0: within. */
+static inline real box_outside(aabb b, vec3 p)
+{
+    vec3 out = vmax(vmax(vsub(b.lo, p), vsub(p, b.hi)), (vec3){0, 0, 0});
+    return vaxis(out, vlongest(out));
+}
+
 static inline void print_box(FILE *out, aabb b, real far)
 {
     fprintf(out, ": x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the hit is ",
@@ -111,21 +121,32 @@ static inline void print_box(FILE *out, aabb b, real far)
 }
 
 /* The shape's own box holds the point, but for rounding. */
-static inline void explain_shape(const contender *c, const void *s, const items *x,
-                                 const wrong_answer *w, FILE *out)
+static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
 {
     aabb b;
     if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
-    vec3 at = ray_at(w->r, w->due.t);
     fprintf(out, "  shape %u itself", w->due.shape);
-    print_box(out, b, place_outside(b, at));
-    shape_place p = place_of(c, s, w->due.shape, at);
-    if (!p.what) return;
-    if (p.lists == 0) fprintf(out, "  no %s lists it\n", p.what);
-    else {
-        fprintf(out, "  %s %zu lists it, the nearest of %zu", p.what, p.number, p.lists);
-        print_box(out, p.box, p.far);
+    print_box(out, b, box_outside(b, ray_at(w->r, w->due.t)));
+}
+
+static inline void explain_fewest(const contender *c, const contender_settings *how, const items *x,
+                                  const wrong_answer *w, FILE *out)
+{
+    uint32_t *which = allocate(x->n, sizeof *which);
+    size_t n = fewest_of(c, how, x, w->r, w->due.shape, which);
+    aabb all = aabb_empty(), b;
+    if (n == 0) fprintf(out, "  built anew, it is right here: something changed it\n");
+    else fprintf(out, "  just as wrong if built of %zu shape%s alone:", n, n > 1 ? "s" : "");
+    for (size_t i = 0; i < n; i++) {
+        if (i < explain_most) fprintf(out, " %u", which[i]);
+        if (items_bounds(x, which[i], &b)) all = aabb_union(all, b);
     }
+    if (n > 0) fprintf(out, n > explain_most ? " ..\n" : "\n");
+    if (n > 1 && w->due.shape != no_shape) {
+        fprintf(out, "  the box of these");
+        print_box(out, all, box_outside(all, ray_at(w->r, w->due.t)));
+    }
+    free(which);
 }
 
 static inline void print_hit(FILE *out, const char *who, hit h)
@@ -135,8 +156,9 @@ static inline void print_hit(FILE *out, const char *who, hit h)
                  (double)h.u, (double)h.v, h.shape);
 }
 
-static inline void explain_wrong(const contender *c, const void *s, const items *x,
-                                 const wrong_answer *w, const char *oracle, FILE *out)
+static inline void explain_wrong(const contender *c, const contender_settings *how, const void *s,
+                                 const items *x, const wrong_answer *w, const char *oracle,
+                                 FILE *out)
 {
     const ray *r = &w->r;
     fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
@@ -148,7 +170,8 @@ static inline void explain_wrong(const contender *c, const void *s, const items 
                         w->got.shape == no_shape ? "no" : "yes");
     else print_hit(out, c->name, w->got);
     explain_window(c, s, w, out);
-    explain_shape(c, s, x, w, out);
+    explain_shape(x, w, out);
+    explain_fewest(c, how, x, w, out);
 }
 
 #endif
