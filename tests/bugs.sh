@@ -133,11 +133,7 @@ caught)  # caught NN: for `tests`, several at a time. Copies of their own: the w
     rm -rf "$broken"; exit ;;
 esac
 
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "bugs.sh: FAILED: $1"; }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. tests/check.sh
 
 # Of each: it applies, changes one or two lines, and its handout names neither file nor line; its test exists.
 for patch in "$here"/*.patch; do
@@ -183,5 +179,4 @@ if [ "${1:-}" = tests ]; then
     done
 fi
 
-echo "bugs.sh: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+report
