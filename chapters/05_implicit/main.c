@@ -15,7 +15,7 @@ int main(int argc, char **argv)
     if (o.quick && o.width == 960 && o.height == 640) o.width = 240, o.height = 160;
     implicit_draw(&o);
     if (!o.out) implicit_draw_roots(&o);
-    if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o);
+    if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o), implicit_draw_shapes(&o);
     implicit_measure(&o);
     return output_done(&o);
 }
