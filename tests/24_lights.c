@@ -277,6 +277,14 @@ static double exact_height(vec3 a, vec3 b, vec3 c, vec3 x)
     return (double)(fabsl(h) / sqrtl(nn));
 }
 
+/* A parallelogram is two triangles, and one is longer: what either is off, and its corners. */
+static void test_long_half(void)
+{
+    emitter e = emitter_of_rectangle((rectangle){vec(0, 0, 0), vec(4, 0, 0), vec(-3, 1, 0)},
+                                     (vec3){1, 1, 1});
+    check_equal((double)e.reach, 2 * 4 + 2 * 4, "twice the longest side and the farthest corner");
+}
+
 /* (18.5): x is off the triangles that rays meet by no more than it says. Those of a rectangle have
  * the rounded corners of lit_add_rectangle. */
 static void test_bounds(void)
@@ -478,6 +486,7 @@ int main(void)
     test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);
     test_bounds();
+    test_long_half();
     test_unseen();
     test_leaving();
     test_fan();

@@ -79,6 +79,28 @@ static void test_windows(void)
     film_free(&m);
 }
 
+/* A pass that was stopped: sample 0 is in tiles 1 and 5 of 3 x 2, the picture white there and black
+ * elsewhere. */
+static void test_half_a_pass(void)
+{
+    film m = film_new(33, 17);
+    size_t wrong = 0;
+    m.pending = (film_range){0, 1}, m.tile[1] = m.tile[5] = true;
+    for (size_t i = 0; i < 33 * 17; i++) {
+        film_pixel p = {0};
+        bool there = i % 33 / 16 == (i < 16 * 33 ? 1 : 2);
+        film_pixel_add(&p, 0, there ? (vec3){1, 1, 1} : (vec3){0, 0, 0});
+        film_gather(&m, i, &p);
+    }
+    image im = film_picture(&m);
+    for (size_t i = 0; i < 33 * 17; i++) {
+        bool there = i % 33 / 16 == (i < 16 * 33 ? 1 : 2);
+        wrong += im.rgb[3 * i] != (there ? 1 : 0);
+    }
+    check_equal(wrong, 0, "pixels with another number of samples than their tile has");
+    image_free(&im), film_free(&m);
+}
+
 /* 100 samples a second, and a tenth of a second left: ten more, not as many as there are. */
 static void test_next(void)
 {
@@ -419,6 +441,7 @@ int main(void)
     test_tally();
     test_ranges();
     test_windows();
+    test_half_a_pass();
     test_next();
     test_stopped();
     test_parts();
