@@ -26,7 +26,7 @@ typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
 
 typedef struct {
     floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
-    uint32_t near[4], far[4];                     /* rows, in bytes: where it enters and leaves */
+    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz, around, tail;
     union {                                       /* its interval, and what surely lies in it */
@@ -123,11 +123,12 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     q->near_o = -(o * i) - error, q->far_o = error - o * i;
-    const int row = sizeof(float[bvh8_places]);
-    whole4 side = (whole4)(i < 0) & 3 * row;  /* down: enters by the high side */
-    whole4 near = side + (whole4){0, row, 2 * row, 0};
-    whole4 far = near + 3 * row - side * 2;
-    memcpy(q->near, &near, sizeof near), memcpy(q->far, &far, sizeof far);
+    EIGHT_UNROLL
+    for (size_t k = 0; k < 3; k++) {  /* enters by the high side, three rows on, if it goes down */
+        size_t below = i[k] < 0 ? 3 : 0;
+        q->near[k] = sizeof(float[bvh8_places]) * (k + below);
+        q->far[k] = sizeof(float[bvh8_places]) * (k + 3 - below);
+    }
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
     return true;
 }
