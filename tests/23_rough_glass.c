@@ -213,6 +213,7 @@ static void test_ends(void)
     check_equal((double)rough_glass_value(&g, wo, vneg(wo)), 0, "seen from behind");
     check_equal((double)rough_glass_pdf(&g, wo, vneg(wo)), 0, "seen from behind");
     check(!rough_glass_sample(&g, vneg(wo), 0.5, 0.5, 0.5, &wi, &weight), "nothing is drawn");
+    check(!rough_glass_sample(&g, vec(1, 0, 0), 0.5, 0.5, 0.5, &wi, &weight), "nor from its edge");
     check(rough_glass_sample(&none, wo, 0.5, 0.5, 0, &wi, &weight), "no boundary");
     check(vzero(vadd(wi, wo)) && weight == 1, "straight on, all of it");
     check_equal((double)rough_glass_pdf(&none, vneg(wo), wo), 0, "a delta has no density");

@@ -220,8 +220,9 @@ static void test_state(void)
                             "size 9x9\nsamples 3:6\n\n", "size 99999x7\nsamples 3:6\n\n",
                             "size 9x7\nsamples 6:3\n\n", "size 9x7\n\n",
                             "size 9x7\nsamples 1:\n\n",
+                            "size 9x16384\nsamples 3:6\n\n",
                             "size 16384x16384\nsamples 3:6\n\n"};  /* a film of 26 GB */
-    for (int k = 0; k < 8; k++) {
+    for (int k = 0; k < 9; k++) {
         char *made = allocate(n + 100, 1), of[state_settings] = "";
         size_t l = (size_t)sprintf(made, "%sscene x\n%s", state_magic, header[k]);
         l += 96 * 63;
