@@ -95,7 +95,7 @@ static void test_half_a_pass(void)
     image im = film_picture(&m);
     for (size_t i = 0; i < 33 * 17; i++) {
         bool there = i % 33 / 16 == (i < 16 * 33 ? 1 : 2);
-        wrong += im.rgb[3 * i] != (there ? 1 : 0);
+        wrong += im.rgb[3 * i] != (there ? 1.0f : 0.0f);
     }
     check_equal(wrong, 0, "pixels with another number of samples than their tile has");
     image_free(&im), film_free(&m);
