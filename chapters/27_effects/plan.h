@@ -149,9 +149,11 @@ static inline plan_words plan_line(const plan_facts *q, cite line)
     return w;
 }
 
-/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. */
+/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. None: a table of
+ * rules that is wrong has called for it. */
 static inline plan_words plan_name(const plan_facts *q, plan_group g, material_key key)
 {
+    if (g.n == 0) return (plan_words){"no material"};
     const studio_material *m = &q->s->material[g.first];
     plan_words w;
     snprintf(w.text, sizeof w.text, "material '%.60s' (%.150s)%.40s",
@@ -164,7 +166,7 @@ static inline plan_words plan_name(const plan_facts *q, plan_group g, material_k
 static inline plan_words plan_part_name(const plan_facts *q, plan_part part, material_key key)
 {
     plan_group g = q->has[part];
-    bool rough = part == PART_GLOSSY && q->look[g.first].rough > 0;
+    bool rough = part == PART_GLOSSY && g.n && q->look[g.first].rough > 0;
     return plan_name(q, g, rough ? KEY_ROUGHNESS : key);
 }
 
