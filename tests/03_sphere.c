@@ -505,11 +505,13 @@ static double climb(sign_of what, uint64_t i, int steps, size_t *wrong)
     return at;
 }
 
-/* The ray for the near root was climbed to from 1200 starts. In float all of this is exact, or
+/* How far is met depends on the seed: eleven met 1.44 to 2.06, 0.92 to 1.36 and 0.92 to 1.31; the
+ * default one 1.63 of the first, of which a quarter is 1.5.
+ * The ray for the near root was climbed to from 1200 starts. In float all of this is exact, or
  * nearly: nothing to climb. */
 static void test_constants(void)
 {
-    static const struct { uint64_t starts; double met; } by[] = {{24, 1.55}, {8, 0.8}, {16, 0.8}};
+    static const struct { uint64_t starts; double met; } by[] = {{24, 1.3}, {8, 0.8}, {16, 0.8}};
     for (int what = 0; what < SIGN_OF_NEAR && !real_is_float; what++) {
         size_t wrong = 0;
         double most = -HUGE_VAL;

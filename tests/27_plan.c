@@ -393,6 +393,24 @@ static void test_sky(void)
     sky_free(&s);
 }
 
+static bool never(const plan_facts *q, cite *line) { return (void)q, (void)line, false; }
+
+/* Rules that are wrong may call for what no material has; the plan says so. */
+static void test_wrong_rules(void)
+{
+    plan_rule rules[plan_rule_count];
+    studio s;
+    if (!read_text(FLOOR POINT, &s)) return;
+    memcpy(rules, plan_rules, sizeof rules);
+    for (size_t i = 0; i < plan_rule_count; i++)
+        if (rules[i].effect & (EFFECT_MIRROR | EFFECT_GLOSSY)) rules[i].holds = never;
+    plan p = plan_of_rules(&s, rules, plan_rule_count);
+    check(p.effects & EFFECT_MIRROR && p.effects & EFFECT_GLOSSY, "called for by wrong rules");
+    check_text(p.why[RAY_MIRRORED], "no material", "a mirror that is none");
+    check_text(p.why[RAY_GLOSSY], "no material", "a lobe that is none");
+    plan_free(&p), studio_free(&s);
+}
+
 int main(void)
 {
     rng = random_start(27, 1, 0);
@@ -400,6 +418,7 @@ int main(void)
     test_energy();
     test_effects();
     test_reasons();
+    test_wrong_rules();
     test_finish();
     test_effects_option();
     test_framing();
