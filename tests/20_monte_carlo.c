@@ -223,9 +223,9 @@ static void test_fatal(void)
     check_at_least(t_test(cut, 0.75 * (double)pi, 1e-5), alarm, "and finds three quarters");
 }
 
-/* Medians of the error fall as N^(-2/(n+1)): between N = 16 and 1024, whatever the divisor; a
- * median of 400 is off by some 6 %, two of them over a factor of 64: sigma .021. +-.09 is more than
- * 4 sigma, and keeps the slope -.095 of n = 20 apart from 0. */
+/* Medians of the error fall as N^(-2/(n+1)). From N = 16 to 1024 sixty other seeds gave slopes with
+ * a sigma of .011 for n = 8, .0053 for n = 20, and 30,000 runs -.217 and -.095: within .006 of the
+ * limit. The bounds are that and 5.7 sigma; 0 is 12 sigma outside of n = 20. */
 static void test_slopes_of_importance(void)
 {
     enum { runs = 400 };
@@ -238,8 +238,8 @@ static void test_slopes_of_importance(void)
                                   - (double)pi);
             median[l] = clock_median(error, runs);
         }
-        check_close(log(median[1] / median[0]) / log(64.0), importance_slope((double)lobe), 0.09,
-                    "slope for n = %g", (double)lobe);
+        check_close(log(median[1] / median[0]) / log(64.0), importance_slope((double)lobe),
+                    k ? 0.031 : 0.069, "slope for n = %g", (double)lobe);
     }
 }
 

@@ -130,7 +130,8 @@ static void test_close_to_a_lamp(void)
         if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
         before = l;
     }
-    check_at_least(before, 400, "by the lamp, at a hundredth: a thousand times 1/4, and more");
+    /* 530, of which 400,000 samples show 280 or more by each of 600 seeds */
+    check_at_least(before, 250, "by the lamp, at a hundredth: a thousand times 1/4, and more");
 }
 
 /* ---- the box ---- */
