@@ -282,6 +282,37 @@ static void test_smoothed(void)
     world_part_free(&part), mesh_free(&pot);
 }
 
+/* The same teapot of glass, from within: rays that get out nearly in the shading normal's plane. */
+static void test_smoothed_glass(void)
+{
+    mesh pot = teapot_mesh(24);
+    size_t below = 0, out = 0, wrong = 0, n = check_count(20000);
+    const medium media[2] = {{1, {0, 0, 0}, 0}, {(real)1.5, {0, 0, 0}, 0}};
+    const whitted_material glass = whitted_clear(1, 1);
+    const whitted w = {.depth = 4, .media = media};
+    for (size_t i = 0; i < n; i++) {
+        random_stream q = random_start(14, i, 0);
+        hit h = {1, random_next(&q) / 2, random_next(&q) / 2, (uint32_t)(i * 7919 % pot.triangles)};
+        whitted_place p = {.s = surface_of_mesh(&pot, h), .m = &glass, .left = {1, 1, 1}};
+        vec3 u, v;
+        snell x;
+        if (vzero(p.s.n)) continue;
+        vbasis(p.s.ns, &u, &v);
+        real turn = 2 * pi * random_next(&q), up = random_next(&q) / 20;  /* under 3 degrees */
+        vec3 away = vunit(vmadd(vadd(vscale(u, cos(turn)), vscale(v, sin(turn))), p.s.ns, up));
+        if (!snell_of(vneg(away), p.s.ns, 1, (real)1.5, &x)) continue;
+        vec3 d = vneg(snell_refract(&x, vneg(away), p.s.ns)), outwards = p.s.n;
+        p.s.n = vneg(p.s.n), p.s.ns = vneg(p.s.ns), p.inside = 1;  /* the ray is in the glass */
+        whitted_branch b = whitted_eye(ray_from(vsub(p.s.p, d), d), (media_set){0}), child[2];
+        if (!(vdot(d, outwards) > 0) || whitted_children(&w, &b, &p, child) != 2) continue;
+        out++, below += vdot(away, outwards) < 0;
+        wrong += child[0].kind != RAY_REFRACTION || !(vdot(child[0].r.d, outwards) > 0);
+    }
+    check_at_least(below, out / 20, "of %zu rays out of glass lead into it again", out);
+    check_equal(wrong, 0, "refracted rays that lead below the surface");
+    mesh_free(&pot);
+}
+
 /* ---- touching and nested --------------------------------------------------------------------- */
 
 /* air | glass | water | glass | air, at normal incidence, the faces between them twice, of either
@@ -708,6 +739,7 @@ int main(void)
     test_furnace();
     test_squeeze();
     test_smoothed();
+    test_smoothed_glass();
     test_touching();
     test_nested();
     test_on_table();
