@@ -22,6 +22,7 @@ typedef struct {
     const char *csv;           /* the table goes to this file, too */
     int width, height;         /* of the main picture, pixels */
     int samples;               /* a pixel; 0 in the defaults: the program takes no --samples */
+    int quick_width, quick_height, quick_samples;  /* the defaults with --quick, if not 0 */
     int threads;               /* 0: all cores */
     uint64_t seed;
     bool preview, quick, full;
@@ -199,7 +200,7 @@ static inline options options_read(int argc, char **argv, const char *name, cons
                                    options defaults, const option *own)
 {
     options o = defaults;
-    bool help = false;
+    bool help = false, quick = false;
     int size[2] = {o.width, o.height}, seed = (int)o.seed;
     const option common[] = {
         {"out", OPTION_OUTPUT, &o.out, 0, 0, "main picture to this .png, .ppm, .p3.ppm or .pfm"},
@@ -217,7 +218,10 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     program_name = name, atexit(options_check_stdout);
     file_watch_signals();
     signal(SIGXFSZ, SIG_IGN);  /* a file over the limit of ulimit -f: an error to report */
-    for (int i = 1; i < argc; i++) help = help || strcmp(argv[i], "--help") == 0;
+    for (int i = 1; i < argc; i++) {
+        help = help || strcmp(argv[i], "--help") == 0;
+        quick = quick || strcmp(argv[i], "--quick") == 0;
+    }
     if (help) {  /* first of all, while the values are the defaults */
         printf("%s: %s\n\nusage: %s %s[options]\n", name, about, name,
                option_input(own) ? "[FILE] " : "");
@@ -225,6 +229,8 @@ static inline options options_read(int argc, char **argv, const char *name, cons
             for (const option *k = lists[l]; k && k->name; k++) option_help(k);
         exit(0);
     }
+    if (quick && o.quick_width) size[0] = o.quick_width, size[1] = o.quick_height;
+    if (quick && o.quick_samples) o.samples = o.quick_samples;  /* --samples overrides it below */
     for (int i = 1; i < argc; i++) i = option_read(lists, argc, argv, i);
     if (o.out && !image_can_write(o.out, &f)) fail(f);
     options_check_files(lists);

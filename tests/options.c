@@ -22,7 +22,9 @@ static void program(void *context)
     for (int i = 0; i < most && l->argument[i]; i++)
         argv[argc++] = (char *)(size_t)l->argument[i];
     options o = options_read(argc, argv, "test_program", "About it.",
-                             (options){.width = 640, .height = 480, .samples = 4, .seed = 7}, own);
+                             (options){.width = 640, .height = 480, .samples = 4, .seed = 7,
+                                       .quick_width = 32, .quick_height = 24, .quick_samples = 1},
+                             own);
     printf("%dx%d %d %d %llu%s%s|%d %g%s %s %s %s", o.width, o.height, o.samples, o.threads,
            (unsigned long long)o.seed, o.preview ? " preview" : "", o.quick ? " quick" : "",
            edge, eps, naive ? " naive" : "", mesh ? mesh : "-", o.out ? o.out : "-",
@@ -65,6 +67,11 @@ static void test_accepted(void)
     accepts(LINE("--size=16384x1", "--seed=2147483647"), "16384x1 4 0 2147483647|8 0.5 - - -");
     accepts(LINE("--seed", "0", "--eps", "0"), "640x480 4 0 0|8 0 - - -");
     accepts(LINE("--eps", "0.1e-300"), "640x480 4 0 7|8 1e-301 - - -");
+    /* --quick has other defaults; what is asked for stays, before it and behind it, and where it is
+     * what the program would have taken without it */
+    accepts(LINE("--quick"), "32x24 1 0 7 quick|8 0.5 - - -");
+    accepts(LINE("--samples", "4", "--quick", "--size", "640x480"),
+            "640x480 4 0 7 quick|8 0.5 - - -");
 }
 
 static void test_numbers(void)

@@ -20,12 +20,11 @@ static int side_of(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {.width = 806, .height = 806, .samples = 16, .seed = 1};
+    options o = {.width = 806, .height = 806, .samples = 16, .quick_samples = 1, .seed = 1};
     o = options_read(argc, argv, "02_camera", "camera rays of four kinds, several a pixel", o,
                      NULL);
     camera_room scene = room_corner();
     camera_view v = {.scene = &scene, .f = filter_tent, .how = SAMPLES_JITTERED, .seed = o.seed};
-    if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
     v.n = side_of(&o);
     camera_draw_four(&o, v);
     if (!o.out) {

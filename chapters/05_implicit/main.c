@@ -9,10 +9,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 05_implicit chapter
 
 int main(int argc, char **argv)
 {
-    options o = {.width = 960, .height = 640, .samples = 9, .seed = 1};
+    options o = {.width = 960, .height = 640, .samples = 9, .seed = 1,
+                 .quick_width = 240, .quick_height = 160, .quick_samples = 1};
     o = options_read(argc, argv, "05_implicit", "Surfaces f(p) = 0, and who misses what.", o, NULL);
-    if (o.quick && o.samples == 9) o.samples = 1;  /* what was asked for stays */
-    if (o.quick && o.width == 960 && o.height == 640) o.width = 240, o.height = 160;
     implicit_draw(&o);
     if (!o.out) implicit_draw_roots(&o);
     if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o), implicit_draw_shapes(&o);

@@ -16,13 +16,12 @@ int main(int argc, char **argv)
         {"teapot", OPTION_INT, &teapot, 1, 200, "cells along each side of its patches"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
         {0}};
-    options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
-                             (options){.width = 800, .height = 450, .seed = 1, .samples = 4}, own);
+    options o = {.width = 800, .height = 450, .seed = 1, .samples = 4,
+                 .quick_width = 240, .quick_height = 135, .quick_samples = 1};
+    o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.", o, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     o.own = teapot;
     if (!teapot) teapot = o.quick ? 6 : 24;
-    if (o.quick && o.samples == 4) o.samples = 1;  /* what was asked for stays */
-    if (o.quick && o.width == 800 && o.height == 450) o.width = 240, o.height = 135;
     draw_gallery(&o, teapot, all);
     if (o.out || o.own) return output_done(&o);
     draw_acne(&o);

@@ -25,8 +25,9 @@ int main(int argc, char **argv)
         {"povray", OPTION_TEXT, &pov, 0, 0,
          "writes the forty balls for POV-Ray, and times them here, one thread"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
-    options o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.",
-                             (options){.width = 640, .height = 480, .seed = 1, .samples = 4}, own);
+    options o = {.width = 640, .height = 480, .seed = 1, .samples = 4,
+                 .quick_width = 160, .quick_height = 120, .quick_samples = 1};
+    o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.", o, own);
     const struct { bool wrong; const char *text; } misuse[] = {
         {how && strcmp(how, "spd") != 0, "--protocol: allowed is spd"},
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
@@ -42,8 +43,6 @@ int main(int argc, char **argv)
     if (pov) povray_race(pov);
     if (pixel) pixel_explain(&o, pixel);
     if (o.own) return output_done(&o);
-    if (o.quick && o.samples == 4) o.samples = 1;
-    if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
     draw_tank(&o);

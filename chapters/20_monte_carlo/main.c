@@ -8,10 +8,10 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chap
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 994, .height = 542, .seed = 1};
+    options defaults = {.width = 994, .height = 542, .seed = 1,
+                        .quick_width = 240, .quick_height = 120};
     options o = options_read(argc, argv, "20_monte_carlo",
                              "Integrals by chance: error against time.", defaults, NULL);
-    if (o.quick && o.width == 994 && o.height == 542) o.width = 240, o.height = 120;
     draw_points(&o), draw_chance(&o), draw_dome(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_importance(&o);

@@ -14,8 +14,9 @@ int main(int argc, char **argv)
     const option own[] = {
         {"effects", OPTION_TEXT, &effects, 0, 0, "of s (soft) g (gloss) o (occlusion) l (lens)"},
         {0}};
-    options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
-                             (options){.width = 640, .height = 360, .seed = 1, .samples = 8}, own);
+    options o = {.width = 640, .height = 360, .seed = 1, .samples = 8,
+                 .quick_width = 160, .quick_height = 90, .quick_samples = 2};
+    o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.", o, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
@@ -25,8 +26,6 @@ int main(int argc, char **argv)
         if (!at) die(2, "--effects %s: all, none, or letters of s g o l", effects);
         chosen |= 1 << (at - letters);
     }
-    if (o.quick && o.samples == 8) o.samples = 2;
-    if (o.quick && o.width == 640 && o.height == 360) o.width = 160, o.height = 90;
     if (!every && !o.out) {  /* images/ is for the text */
         snprintf(path, sizeof path, "build/21_distributed_%.20s.png", effects);
         mkdir("build", 0777);

@@ -8,11 +8,10 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf chapters/23
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 980, .height = 560, .samples = 32, .seed = 1};
+    options defaults = {.width = 980, .height = 560, .samples = 32, .quick_samples = 4, .seed = 1};
     options o = options_read(argc, argv, "23_brdf",
                              "BRDFs, and the reflection equation: error against time.", defaults,
                              NULL);
-    if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
     draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
     measure_methods(&o);
     if (o.full) measure_furnace(&o), measure_naive(&o);

@@ -13,9 +13,8 @@ int main(int argc, char **argv)
     option own[] = {
         {"tree", OPTION_SIZE, pixel, 1, tree_side - 1,
          "XxY: the tree of rays of this pixel of 480x480, into build/quick/"}, {0}};
-    options defaults = {.width = 1000, .height = 400, .samples = 32, .seed = 1};
+    options defaults = {.width = 1000, .height = 400, .samples = 32, .quick_samples = 4, .seed = 1};
     options o = options_read(argc, argv, "25_bounces", "L = E + KE + K^2 E + ...", defaults, own);
-    if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
     o.own = pixel[0];
     if (o.own && (o.out || o.csv)) die(2, "--out, --csv: not allowed with --tree");
     if (o.own) { draw_tree(&o, pixel[0], pixel[1]); return output_done(&o); }

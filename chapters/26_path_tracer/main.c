@@ -13,7 +13,8 @@ int main(int argc, char **argv)
 {
     command c = {.scene = NULL};
     const char *pixel = NULL;
-    options defaults = {.width = 640, .height = 640, .samples = -1, .seed = 1};
+    options defaults = {.width = 640, .height = 640, .samples = -1, .seed = 1,
+                        .quick_width = 160, .quick_height = 160};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, showcase_names},
         {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ: this mesh, on a floor, under a sky"},
@@ -29,7 +30,6 @@ int main(int argc, char **argv)
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
-    if (o.quick && o.width == 640 && o.height == 640) o.width = o.height = 160;
     if (pixel) {
         const char *name = c.scene ? c.scene : "cornell";
         c.scene = NULL, o.own = true;

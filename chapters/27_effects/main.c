@@ -37,8 +37,8 @@ int main(int argc, char **argv)
         {"up", OPTION_TEXT, &q.words.up, 0, 0, "x, y or z: where no camera says it"},
         {0}};
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
-                             (options){.width = 400, .height = 300, .samples = -1}, own);
-    if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
+                             (options){.width = 400, .height = 300, .samples = -1,
+                                       .quick_width = 120, .quick_height = 90}, own);
     o.own = request_own(&q);
     if (!o.out && !o.own && !(draw_six(&o, false) && (!o.full || draw_six(&o, true))))
         die(parallel_stopped(), "stopped");
