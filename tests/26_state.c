@@ -450,9 +450,11 @@ int main(void)
     test_dielectric();
     test_environment();
     test_error();
-    test_program();
-    test_pipes();
-    test_pixel();
+    if (go("--help") == 0) {  /* a pipe that no program opens would wait for ever */
+        test_program();
+        test_pipes();
+        test_pixel();
+    } else check(false, "26_path_tracer: the program is not built (make)");
     remove_directory();
     return check_report("26_state");
 }
