@@ -933,13 +933,17 @@ static void test_torture(void)
         {1, "--quick --torture @t --score x", {"err", "inside.x.hits"}},
         {0, "--quick --torture @t --score x", {0}},
         {1, "--quick --torture @t --score x", {"err", "answers are wrong"}},
-        {2, "--quick --torture @t --score x --seed 5", {"err", "not the rays of this seed"}}};
+        {2, "--quick --torture @t --score x --seed 5", {"err", "not the rays of this seed"}},
+        {2, "--quick --torture @t --csv @t/inside.rays", {"err", "is a file of --torture"}},
+        {2, "--quick --torture @t --score x --csv @t/start.obj", {"err", "a file of --torture"}}};
     test_dialogue(list, 2);
-    check_equal(shell("cd @t && for f in *.hits; do cp $f ${f%.hits}.x.hits; done"), 0, "files");
+    check_equal(shell("cd @t && cp inside.rays kept "
+                      "&& for f in *.hits; do cp $f ${f%.hits}.x.hits; done"), 0, "files");
     test_dialogue(list + 2, 1);
     check_equal(shell("cd @t && { tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits"),
                 0, "files");  /* of the next ray */
-    test_dialogue(list + 3, 2);
+    test_dialogue(list + 3, 4);
+    check(equal_files("t/inside.rays", "t/kept") && printed("t/start.obj", "\nf "), "nothing lost");
 }
 
 /* A picture drawn and one by rays: that by rays is brute force's, and the drawn one differs at

@@ -109,6 +109,15 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
     torture_free(&t);
 }
 
+/* The table would replace what was just written. */
+static inline void torture_check_csv(const char *folder, const char *csv)
+{
+    static const char *const ending[] = {"obj", "rays", "hits"};
+    for (int i = 0; i < 3 * torture_classes; i++)
+        if (option_same_file(csv, torture_path(folder, i / 3, ending[i % 3])))
+            die(2, "--csv %.200s: is a file of --torture", csv);
+}
+
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
     failure f;
@@ -117,6 +126,7 @@ static inline void torture_run(const compare_settings *c, const char *folder, co
     table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
                                       : "Wrong answers of 2000 a class; exact arithmetic judges",
                           "class|aims at|error: structures|error: first versions, at most");
+    if (folder && c->o->csv) torture_check_csv(folder, c->o->csv);
     if (folder && !who && mkdir(folder, 0777) != 0 && errno != EEXIST)
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
     for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
