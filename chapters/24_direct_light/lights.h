@@ -55,7 +55,7 @@ typedef struct {
     vec3 wi, Le;
     real pdf, per;
     uint32_t emitter;       /* lit_dark: the sky */
-    bool far;               /* sky or sun: from infinitely far, s is not set */
+    bool far;               /* sky or sun: from infinitely far, s says nothing */
     surface s;              /* on the emitter; a point light: where it is, n = 0 */
 } lit_draw;
 
@@ -170,6 +170,7 @@ static inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec
             u.u = real_min((u.u - l->emitters) / l->skies, largest);
             environment_sample(l->sky, u, &out->wi, &out->pdf, &out->Le);
             out->pdf *= l->skies, out->per = out->pdf, out->emitter = lit_dark, out->far = true;
+            out->s = (surface){.shape = no_shape};
             return true;
         }
         u.u = real_min(u.u / l->emitters, largest);

@@ -138,8 +138,10 @@ typedef struct {
 
 static inline path_walk path_begin(ray eye)
 {
-    return (path_walk){.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
-                       .squeezed = 1};
+    path_walk w;
+    w.L = (vec3){0, 0, 0}, w.beta = (vec3){1, 1, 1}, w.r = eye, w.from = eye.o, w.left = no_shape;
+    w.pdf = real_infinity, w.medium = NULL, w.squeezed = 1, w.bounces = 0;
+    return w;
 }
 
 static inline vec3 path_cut(vec3 c, real most)
@@ -183,7 +185,7 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
                               shading_frame f, vec3 wo, const rough_glass *g, point2 u,
                               path_counts *c)
 {
-    lit_draw l = {.emitter = lit_dark};
+    lit_draw l;
     c->light_draws++;
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
