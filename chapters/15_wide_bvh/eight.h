@@ -110,12 +110,16 @@ eight_inline eight_set eight_bits(const eight_whole *x)
 
 eight_inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
 
-/* From -most to most; NaN stays NaN. */
+/* From -most to most; NaN stays NaN. (For AVX-512 gcc 12 makes two instructions of each loop.) */
 eight_inline floats4 floats4_within(floats4 a, float most)
 {
+#if EIGHT_X86
+    return _mm_max_ps(_mm_set1_ps(-most), _mm_min_ps(_mm_set1_ps(most), a));
+#else
     for (int k = 0; k < 4; k++) a[k] = most < a[k] ? most : a[k];
     for (int k = 0; k < 4; k++) a[k] = -most > a[k] ? -most : a[k];
     return a;
+#endif
 }
 
 static inline eight_dialect eight_best(void)
