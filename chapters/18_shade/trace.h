@@ -169,43 +169,27 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     }
 }
 
-static inline bool trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
-                                     void *payload, bool *end, hit *h)
+__attribute__((noinline))
+static any_hit_answer trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
+                                        void *payload, hit *h)
 {
     trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
     trace_ask(&a, &t->w->part[k].tree);
-    *end = a.end && !g->first;
-    if (a.met && !g->first) *h = a.q.best;
-    return a.met;
+    *h = a.q.best;
+    return a.end ? ANY_HIT_END : a.met ? ANY_HIT_ACCEPT : ANY_HIT_IGNORE;
 }
 
-/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
+/* What is left to do after part k: nothing is met there (ignore), or *h is (accept; not if the kind
+ * asks for the first: then h is untouched), and no other part matters (end). */
 __attribute__((always_inline))
-static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, const ray *r,
-                              void *payload, bool *end, hit *h)
+static inline any_hit_answer trace_part(const tracer *t, const ray_program *g, uint32_t k,
+                                        const ray *r, void *payload, hit *h)
 {
     const world_part *p = &t->w->part[k];
-    if (!g->any_hit || p->opaque)
-        return bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
-    return trace_part_asking(t, g, k, *r, payload, end, h);
-}
-
-static inline bool trace_own(const tracer *t, const ray_program *g, ray *r, void *payload,
-                             trace_hit *best)
-{
-    real tmax = r->tmax;
-    bool met = false, end = false;
-    for (uint32_t k = 0; k < t->w->parts && !end; k++) {
-        hit h;
-        if (!(t->w->part[k].mask & g->mask)) continue;
-        if (!trace_part(t, g, k, r, payload, &end, &h)) continue;
-        if (g->first) end = true;
-        else if (!met || h.t < r->tmax)  /* at equal t the first part stays */
-            *best = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, r->tmax = h.t;
-        met = true;
-    }
-    r->tmax = tmax;
-    return met;
+    if (!(p->mask & g->mask)) return ANY_HIT_IGNORE;
+    if (g->any_hit && !p->opaque) return trace_part_asking(t, g, k, *r, payload, h);
+    bool met = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
+    return !met ? ANY_HIT_IGNORE : g->first ? ANY_HIT_END : ANY_HIT_ACCEPT;
 }
 
 /* Field by field: what is copied as a whole right after it was written waits for all of it. */
@@ -213,7 +197,17 @@ __attribute__((always_inline))
 static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
-    bool met = trace_own(t, &t->program[kind], &own, payload, x);
+    const ray_program *g = &t->program[kind];
+    bool met = false;
+    for (uint32_t k = 0; k < t->w->parts; k++) {
+        hit h;
+        any_hit_answer answer = trace_part(t, g, k, &own, payload, &h);
+        if (answer == ANY_HIT_IGNORE) continue;
+        if (!g->first && (!met || h.t < own.tmax))  /* at equal t the first part stays */
+            *x = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, own.tmax = h.t;
+        met = true;
+        if (answer == ANY_HIT_END) break;
+    }
     t->counts.rays[kind]++, t->counts.hits[kind] += met;
     return met;
 }
