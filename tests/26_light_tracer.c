@@ -119,8 +119,30 @@ static void test_scenes(void)
     showcase_free(&c);
 }
 
+/* A wall that shines, before an eye with a field of 120 degrees: every pixel sees Le, those in the
+ * corners, too, where the cosine at the eye (26.8) is .38. */
+static void test_wide(void)
+{
+    const double Le[3] = {3, 2, 1};
+    showcase c = {.has_sky = false};
+    estimate e[3 * blocks] = {{0}}, mean = {0};
+    lit_begin(&c.s);
+    uint16_t wall = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
+    lit_add_rectangle(&c.s, (rectangle){{-2, -2, -1}, {4, 0, 0}, {0, 4, 0}}, wall);
+    lit_end(&c.s);
+    c.eye = showcase_eye((vec3){0, 0, 0}, (vec3){0, 0, -1}, 120, 1);
+    from_lamp(&c, e, &mean);
+    for (int k = 0; k < 3 * blocks; k++) {
+        check_at_least(t_test(e[k], Le[k % 3], 0), 1e-7 / (3 * blocks),
+                       "a wall of %g, block %d: %g", Le[k % 3], k / 3, e[k].mean);
+        check_at_most(estimate_error(e[k]), 0.05 * Le[k % 3], "known to some percent");
+    }
+    showcase_free(&c);
+}
+
 int main(void)
 {
     test_scenes();
+    test_wide();
     return check_report("26_light_tracer");
 }
