@@ -84,8 +84,9 @@ static void compare(const char *name, const showcase *c)
     check_at_most(estimate_error(b) / b.mean, 0.05, "%s: known to some percent", name);
 }
 
-/* The Cornell box; a floor under a triangle and a ball that shine; the caustic of a ball of dark
- * glass that is itself out of sight: what is seen through glass no path from the lamp can show. */
+/* The Cornell box; a floor and a rough ball under a triangle and a ball that shine; the caustic of a
+ * ball of dark glass that is itself out of sight: what is seen through glass no path from the lamp
+ * can show. */
 static void test_scenes(void)
 {
     showcase c;
@@ -99,7 +100,9 @@ static void test_scenes(void)
     uint16_t lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
     uint16_t dim = lit_add_material(&c.s, (lit_material){.Le = vec(1, 1, 2)});
     lit_add_triangle(&c.s, (triangle){vec(-3, 2, -2), vec(-1, 2, -2), vec(-2, 3, 0)}, lamp);
+    uint16_t rough = lit_add_material(&c.s, (lit_material){.f = brdf_ggx(vec(.9, .9, .9), 1)});
     lit_add_shape(&c.s, shape_of_sphere((sphere){{2, 1, 0}, (real)0.5}), dim);
+    lit_add_shape(&c.s, shape_of_sphere((sphere){{-2, 1, -1}, (real)0.9}), rough);
     lit_end(&c.s);
     c.eye = showcase_eye(vec(0, 4, 9), vec(0, 1, 0), 45, 1);
     compare("two lamps", &c);
