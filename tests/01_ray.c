@@ -148,7 +148,8 @@ static void test_unit(void)
     double worst = 0;
     for (size_t i = 0; i < check_count(100000); i++) {
         random_stream s = random_start(3, i, 0);
-        ray r = ray_from(random_in_cube(&s, 1), random_in_cube(&s, random_power(&s, 1000)));
+        vec3 d = random_in_cube(&s, random_power(&s, 1000)), o = random_in_cube(&s, 1);
+        ray r = ray_from(o, d);
         ray u = ray_unit(r);
         real t1 = random_next(&s), t2 = random_next(&s), length = vlength(r.d);
         real distance = vlength(vsub(ray_at(u, t1), ray_at(u, t2)));
@@ -222,7 +223,8 @@ static void test_affine(void)
         size.x = -size.x;  /* mirrored */
         affine m = affine_then(affine_scaling(size), affine_rotation(axis, 6 * random_next(&s)));
         m = affine_then(m, affine_translation(random_in_cube(&s, 10)));
-        ray r = ray_from(random_in_cube(&s, 10), random_in_cube(&s, 1));
+        vec3 d = random_in_cube(&s, 1);
+        ray r = ray_from(random_in_cube(&s, 10), d);
         real t = 10 * random_next(&s);
         vec3 p = ray_at(affine_ray(m, r), t), q = along(m, r, t);
         worst = check_worse(worst, (double)vlength(vsub(p, q)));

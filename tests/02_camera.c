@@ -27,9 +27,9 @@ static double angle(vec3 a, vec3 b) { return distance(vunit(a), vunit(b)); }
 static camera_frame any_frame(real far)
 {
     camera_frame f;
-    vec3 e = vscale(any_direction(), far);
-    while (!frame_look_at(e, vadd(e, vscale(any_direction(), real_max(far, 1))), any_direction(),
-                          &f, NULL)) {}
+    vec3 e = vscale(any_direction(), far), up, to;
+    do up = any_direction(), to = vmadd(e, any_direction(), real_max(far, 1));
+    while (!frame_look_at(e, to, up, &f, NULL));
     return f;
 }
 static camera_window any_window(void)

@@ -48,8 +48,9 @@ static void test_rays(void)
     size_t perspective = 0, parallel = 0, positions = 0, n = check_count(20000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(2, i, 0);
-        first_camera c = first_camera_at(vscale(random_in_cube(&s, 1), 100), random_in_cube(&s, 1),
-                                         (vec3){0, 1, 0}, 1 + 178 * random_next(&s), 640, 480);
+        real angle = 1 + 178 * random_next(&s);
+        vec3 to = random_in_cube(&s, 1), from = vscale(random_in_cube(&s, 1), 100);
+        first_camera c = first_camera_at(from, to, (vec3){0, 1, 0}, angle, 640, 480);
         if (i % 2) c.left *= 2, c.bottom = -c.top / 3, c.d = 1 + random_next(&s);  /* off-axis */
         real x = 640 * random_next(&s), y = 480 * random_next(&s);
         camera_frame f = {c.e, c.u, c.v, c.w};

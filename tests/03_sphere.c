@@ -272,8 +272,8 @@ static void test_extreme_sizes(void)
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream s = random_start(8, i, 0);
         sphere ball;
-        ray r = sphere_aim(&s, 1, pow((real)10, 3 * random_next(&s)), (real)1.2 * random_next(&s),
-                           i % 2, &ball);
+        real pass = (real)1.2 * random_next(&s), away = pow((real)10, 3 * random_next(&s));
+        ray r = sphere_aim(&s, 1, away, pass, i % 2, &ball);
         if (fabs(sphere_clearance(ball, r)) < 0.1) continue;
         int m = (int)random_int(&s, far), n = (int)random_int(&s, far);
         int room = real_is_float ? 110 : 1000;
@@ -481,7 +481,8 @@ static double climb(sign_of what, uint64_t i, int steps, size_t *wrong)
 {
     random_stream s = random_start(9, i, 0);
     sphere b = {random_in_cube(&s, 1), 1};
-    ray r = ray_from(random_in_cube(&s, 3), random_in_cube(&s, 1));
+    vec3 d = random_in_cube(&s, 1);
+    ray r = ray_from(random_in_cube(&s, 3), d);
     double at = -HUGE_VAL;
     const real far[4] = {1, (real)0.3, 3, 100};
     r.o = vadd(b.c, vscale(vsub(r.o, b.c), far[i % 4]));

@@ -494,7 +494,8 @@ static void test_sliver_normals(void)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(9, i, 0);
         vec3 a = random_in_cube(&g, 1), d = random_in_cube(&g, 1), b = vadd(a, d);
-        vec3 c = vadd(vmadd(a, d, 2 * random_next(&g) - 1), random_in_cube(&g, 4 * real_epsilon));
+        vec3 c = random_in_cube(&g, 4 * real_epsilon);
+        c = vadd(vmadd(a, d, 2 * random_next(&g) - 1), c);
         if (i % 2) b = vmadd(a, d, (real)1e-3);
         vec3 s = triangle_cross(a, b, c), p = vcross(vsub(b, a), vsub(c, a));
         wide3 w = wide3_cross(wide3_sub(wide3_of(b), wide3_of(a)),
@@ -519,7 +520,8 @@ static void test_first_planes(void)
     size_t wrong = 0, hits = 0, n = check_count(100000);
     for (size_t i = 0; i < n; i++) {
         plane p = {random_in_cube(&g, 10), random_in_cube(&g, 1)};
-        ray r = ray_from(random_in_cube(&g, 10), random_in_cube(&g, 2));
+        vec3 d = random_in_cube(&g, 2);
+        ray r = ray_from(random_in_cube(&g, 10), d);
         r.tmin = random_next(&g), r.tmax = 10 * random_next(&g);
         if (fabs(vdot(vunit(p.n), vunit(r.d))) < (real)0.1) continue;
         hit a = untouched, b = untouched;
@@ -551,7 +553,8 @@ static void test_first_points(void)
         triangle tri = {random_in_cube(&g, 2), random_in_cube(&g, 2), random_in_cube(&g, 2)};
         vec3 n1 = vcross(vsub(tri.b, tri.a), vsub(tri.c, tri.a));
         vec3 o = random_in_cube(&g, 5);
-        ray r = ray_from(o, vsub(triangle_at(tri, random_next(&g), random_next(&g)), o));
+        real v = random_next(&g), u = random_next(&g);
+        ray r = ray_from(o, vsub(triangle_at(tri, u, v), o));
         hit h;
         if (vlength(n1) < 1 || fabs(vdot(vunit(n1), vunit(r.d))) < (real)0.1) continue;
         vec3 other = vsub(first_triangle_normal(tri), triangle_normal(tri));

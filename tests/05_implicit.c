@@ -144,8 +144,8 @@ static void test_surfaces(void)
             interval chord = {f - f0 - 2 * slack, f - f0 + 2 * slack};
             interval may = interval_mul(J.d, interval_at((double)(t - t0)));
             steep += interval_is_empty(interval_meet(chord, may));
-            vec3 a = ray_at(r, t0), b = vadd(u.s.ball.c, vscale(implicit_random_direction(&s),
-                                                               u.s.ball.r * random_next(&s)));
+            real along = u.s.ball.r * random_next(&s);
+            vec3 a = ray_at(r, t0), b = vmadd(u.s.ball.c, implicit_random_direction(&s), along);
             double apart = (double)vlength(vsub(a, b));
             double rise = fabs(f0 - (double)implicit_value(&u.s, b));
             faster += rise > L * apart + slack;

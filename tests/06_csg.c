@@ -77,8 +77,8 @@ static ray random_line(random_stream *s)
         int k = (int)random_below(s, 3);
         d = vwith(vec(0, 0, 0), k, random_below(s, 2) ? 1 : -1);
     }
-    ray r = ray_from(vmadd(to, d, -4 * random_next(s)), vscale(d, (real)0.25 + random_next(s)));
-    return r;
+    real fast = (real)0.25 + random_next(s);
+    return ray_from(vmadd(to, d, -4 * random_next(s)), vscale(d, fast));
 }
 
 /* ---- lists ---- */
@@ -179,7 +179,8 @@ static void test_random_points(void)
         csg_model m = random_model(&s, 2 + random_below(&s, 8), true);
         csg c = built(m, false);
         for (size_t k = 0; k < n / trees; k++) {
-            ray r = ray_from(random_in_cube(&s, (real)1.5), random_direction_of(&s));
+            vec3 d = random_direction_of(&s);
+            ray r = ray_from(random_in_cube(&s, (real)1.5), d);
             csg_crossing *x = NULL;
             size_t spans = csg_spans(&c, r, &x);
             double least;
@@ -470,8 +471,9 @@ static void test_named_plane(void)
                               vscale(axis[2], (real)0.5)};
         csg_solid solid[3] = {csg_scene_cube(half, vscale(axis[0], (real)0.75)),
                               csg_scene_cube(axis, vec(0, 0, 0)), csg_half(axis[0], 1)};
-        vec3 to = vmadd(vmadd(axis[0], axis[1], random_next(&s) - (real)0.5), axis[2],
-                        random_next(&s) - (real)0.5), from = vscale(random_direction_of(&s), 4);
+        vec3 to = vmadd(axis[0], axis[2], random_next(&s) - (real)0.5), from;
+        to = vmadd(to, axis[1], random_next(&s) - (real)0.5);
+        from = vscale(random_direction_of(&s), 4);
         csg c = joined(solid, 2 + (i % 3 == 1), CSG_DIFFERENCE, false);
         csg_crossing *list = NULL;
         wrong[i % 3] += csg_spans(&c, ray_from(from, vsub(to, from)), &list) > 0;
@@ -638,8 +640,10 @@ static void test_bounds_from_afar(void)
         random_stream s = random_start(21, i, 0);
         vec3 axis[3], middle = random_direction_of(&s), d = random_direction_of(&s);
         random_axes(&s, false, axis);
-        for (int k = 0; i % 2 && k < 3; k++)
-            axis[k] = vmadd(middle, random_direction_of(&s), pow((real)10, -random_next(&s)));
+        for (int k = 0; i % 2 && k < 3; k++) {
+            real off = pow((real)10, -random_next(&s));
+            axis[k] = vmadd(middle, random_direction_of(&s), off);
+        }
         vec3 at = {0, 0, 0}, c[3];
         for (int k = 0; k < 3; k++) c[k] = vcross(axis[(k + 1) % 3], axis[(k + 2) % 3]);
         real lo[3], hi[3], det = vdot(axis[0], c[0]), far = pow((real)10, 3 * random_next(&s));
@@ -647,8 +651,10 @@ static void test_bounds_from_afar(void)
             lo[k] = 2 * random_next(&s) - 1, hi[k] = lo[k] + pow((real)10, -3 * random_next(&s));
             at = vmadd(at, c[k], (random_below(&s, 2) ? lo[k] : hi[k]) / det);
         }
-        if (i % 4 < 2) d = vmadd(vwith(vec(0, 0, 0), (int)random_below(&s, 3), 1), d,
-                                 pow(real_epsilon, random_next(&s)));
+        if (i % 4 < 2) {
+            d = vscale(d, pow(real_epsilon, random_next(&s)));
+            d = vadd(vwith(vec(0, 0, 0), (int)random_below(&s, 3), 1), d);
+        }
         at = vmadd(at, random_in_cube(&s, 1), 2 * real_epsilon * far);
         csg_solid box = csg_box_turned(axis, lo, hi);
         csg_bound b = csg_bound_of(&box);
@@ -723,8 +729,8 @@ static void test_planes_climbed_to(void)
     size_t lost = 0;
     for (uint64_t i = 0; i < 8; i++) {
         random_stream s = random_start(80, i, 0);
-        vec3 v = random_in_cube(&s, 1), at = vscale(random_in_cube(&s, 1),
-                                                      pow((real)10, random_between(&s, -2, 2)));
+        vec3 v = random_in_cube(&s, 1), at = random_in_cube(&s, 1);
+        at = vscale(at, pow((real)10, random_between(&s, -2, 2)));
         double best = -1;
         for (int k = 0; k < 4000; k++) {
             vec3 w = v, to = at, n[3];

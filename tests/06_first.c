@@ -19,7 +19,7 @@ static bool shot_at(size_t i, vec3 eye, bool outside, shot *x)
     x->ball[0] = (sphere){random_in_cube(&s, (real)0.2), 1};
     x->ball[1] = (sphere){random_in_cube(&s, (real)0.7), (real)0.6 + random_next(&s) / 4};
     vec3 to = random_in_cube(&s, 1);
-    if (outside) eye = vscale(vunit(random_in_cube(&s, 1)), 4 + random_next(&s));
+    if (outside) eye = vunit(random_in_cube(&s, 1)), eye = vscale(eye, 4 + random_next(&s));
     x->r = ray_from(eye, vscale(vsub(to, eye), (real)0.5 + random_next(&s)));
     for (int k = 0; k < 2; k++) x->solid[k] = csg_sphere(x->ball[k].c, x->ball[k].r);
     if (!csg_build((csg_model){x->solid, 2, step, 3}, (csg_options){0}, &x->c, NULL)) abort();

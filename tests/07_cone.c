@@ -233,8 +233,8 @@ static void always_on_the_side(void)
         if (i % 2) {
             if (i % 4 == 1) c = some_cone(&s, (int)(i / 4 % cone_kind_count));
             vec3 g, n, p = point_of_side(c, (x[7] + 1) / 2, pi * x[8], &g, &n);
-            r.d = vmadd(vmadd(g, vcross(g, n), 4 * x[9]), direction(&s),
-                        pow((real)10, random_between(&s, real_is_float ? -9 : -18, 0)));
+            real off = pow((real)10, random_between(&s, real_is_float ? -9 : -18, 0));
+            r.d = vmadd(vmadd(g, vcross(g, n), 4 * x[9]), direction(&s), off);
             r.o = vmadd(p, r.d, -pow((real)10, random_between(&s, -3, 6)));
         }
         vec3 far = {768, -256, 512};
@@ -258,9 +258,8 @@ static void normals_and_points(void)
     random_stream numbers = random_start(10, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
         cone c = some_cone(&numbers, (int)(i % 5));
-        vec3 g, n,
-            p = point_of_side(c, random_between(&numbers, 0, 1), random_between(&numbers, -pi, pi),
-                              &g, &n);
+        real turn = random_between(&numbers, -pi, pi);
+        vec3 g, n, p = point_of_side(c, random_between(&numbers, 0, 1), turn, &g, &n);
         real radius = fabs(c.ra + (c.rb - c.ra) * vdot(vsub(p, c.a), vsub(c.b, c.a))
                            / vdot(vsub(c.b, c.a), vsub(c.b, c.a)));
         vec3 m = cone_normal(c, p);

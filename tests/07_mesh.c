@@ -65,7 +65,8 @@ static void closest_of_many(void)
     for (int i = 0; i < shape_count; i++) shapes[i] = some_shape(i % 4, corners[i]);
     scene s = {shapes, shape_count};
     for (size_t i = 0; i < n; i++) {
-        ray r = ray_from(random_in_cube(&numbers, 4), random_in_cube(&numbers, 1));
+        vec3 d = random_in_cube(&numbers, 1);
+        ray r = ray_from(random_in_cube(&numbers, 4), d);
         r.tmin = random_between(&numbers, 0, 2);
         r.tmax = i % 3 ? real_infinity : random_between(&numbers, 0, 8);
         hit h = hit_none, best = reference(shapes, shape_count, r);

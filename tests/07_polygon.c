@@ -118,8 +118,8 @@ static void against_the_oracle(void)
         random_stream numbers = random_start(11, 0, (uint64_t)j);
         for (size_t i = 0; i < check_count(6000); i++) {
             int teeth = (int)random_between(&numbers, 3, 37);
-            size_t n = gear(v, teeth, random_between(&numbers, 0.5, 2),
-                            random_between(&numbers, 0.1, 0.9));
+            real depth = random_between(&numbers, 0.1, 0.9);
+            size_t n = gear(v, teeth, random_between(&numbers, 0.5, 2), depth);
             vec3 axis = direction(&numbers), d = direction(&numbers),
                  offset = {random_between(&numbers, -1, 1), random_between(&numbers, -1, 1),
                            random_between(&numbers, -1, 1)};
@@ -129,9 +129,8 @@ static void against_the_oracle(void)
             vec3 aim =
                 i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), random_between(&numbers, 0, 1))
                       : offset;
-            aim = vadd(aim,
-                       vscale(direction(&numbers),
-                              i % 2 ? (real)1e-3 : random_between(&numbers, 0, 2)));
+            real aside = i % 2 ? (real)1e-3 : random_between(&numbers, 0, 2);
+            aim = vmadd(aim, direction(&numbers), aside);
             ray r = ray_from(vmadd(aim, d, -distances[j]),
                              vscale(d, random_between(&numbers, 0.5, 2)));
             polygon_truth truth = polygon_exact(p, r);
@@ -187,7 +186,8 @@ static void same_answers(void)
         real s = ldexp((real)1, (int)random_between(&numbers, real_is_float ? -100 : -900,
                                              real_is_float ? 100 : 900));
         for (size_t k = 0; k < n; k++) w[n - 1 - (k + first) % n] = v[k], x[k] = vscale(v[k], s);
-        vec3 aim = vscale(direction(&numbers), random_between(&numbers, 0, 1));
+        real off = random_between(&numbers, 0, 1);
+        vec3 aim = vscale(direction(&numbers), off);
         ray r = ray_from(vmadd(aim, d, -3), d), q = r;
         q.o = vscale(r.o, s), q.d = vscale(d, 4);
         hit h = hit_none, e = hit_none;
@@ -272,7 +272,8 @@ static void always_on_the_polygon(void)
             v[k] = vmadd(vmadd(base, e1, (real)comb[k][0]), e2, (real)comb[k][1]);
         real x = random_between(&s, -1, 1), y = random_between(&s, -1, 1);
         vec3 along = vadd(vscale(e1, x), vscale(e2, y)),
-             aim = vmadd(vmadd(base, e1, random_between(&s, 0, 8)), e2, random_between(&s, 0, 4));
+             aim = vmadd(base, e2, random_between(&s, 0, 4));
+        aim = vmadd(aim, e1, random_between(&s, 0, 8));
         real tilt = pow((real)10, random_between(&s, real_is_float ? -9 : -18, 0));
         vec3 d = vmadd(along, vscale(normal, vlength(along) / vlength(normal)), tilt);
         if (i % 4 == 0) d = direction(&s);
@@ -339,7 +340,8 @@ static void not_in_a_plane(void)
     for (size_t i = 0; i < check_count(100000); i++) {
         vec3 v[12], lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
         size_t n = gear(v, 3, 1, 0.4);
-        turn(v, n, direction(&s), vscale(direction(&s), 3));
+        vec3 by = vscale(direction(&s), 3);
+        turn(v, n, direction(&s), by);
         real off = pow((real)10, random_between(&s, real_is_float ? -8 : -17, 0));
         for (size_t k = 0; k < n; k++) {
             v[k] = vmadd(v[k], direction(&s), off);

@@ -360,9 +360,11 @@ static void test_strange(void)
         bool finite = true;
         for (int k = 0; k < 3; k++)
             v[k] = vadd(random_in_cube(&g, 2), vec(0, 0, -1));
-        for (int k = 0; k < 2; k++)
-            v[random_next_bits(&g) % 3] = vwith(v[0], (int)(random_next_bits(&g) % 3),
-                                                strange[random_next_bits(&g) % 10]);
+        for (int k = 0; k < 2; k++) {
+            real x = strange[random_next_bits(&g) % 10];
+            int axis = (int)(random_next_bits(&g) % 3);
+            v[random_next_bits(&g) % 3] = vwith(v[0], axis, x);
+        }
         for (int k = 0; k < 3; k++) finite = finite && vfinite(v[k]);
         mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
         for (int k = 0; k < 64; k++) s.h[k] = hit_none, s.key[k] = depth_farthest;

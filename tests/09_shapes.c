@@ -162,7 +162,8 @@ static void test_volumes_touched(void)
             random_stream g = random_start(9, i, 0);
             triangle t = c.t[random_next_bits(&g) % c.n];
             vec3 p = i % 3 == 0 ? t.a : i % 3 == 1 ? t.b : t.c;
-            vec3 o = vadd(p, vscale(random_in_cube(&g, 1), pow((real)1000, random_next(&g))));
+            real far = pow((real)1000, random_next(&g));
+            vec3 o = vmadd(p, random_in_cube(&g, 1), far);
             ray r = ray_from(o, vsub(p, o));
             for (int k = 0; k < content_kinds; k++) {
                 real enter = 0;

@@ -111,7 +111,8 @@ static void test_sides(void)
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream g = random_start(13, i, 0);
         vec3 a = random_in_cube(&g, 1), b = random_in_cube(&g, 1), q = random_in_cube(&g, 1);
-        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_in_cube(&g, 1e-7));
+        vec3 c = random_in_cube(&g, 1e-7);
+        c = vadd(vmadd(a, vsub(b, a), random_next(&g)), c);
         c = vmax((vec3){-1, -1, -1}, vmin((vec3){1, 1, 1}, c));
         split_plane p = plane_of_triangle(a, b, c), w = plane_of_triangle_naive(a, b, c);
         if (vzero(p.n)) continue;

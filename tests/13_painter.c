@@ -99,8 +99,8 @@ static void test_order(void)
     mesh soup = mesh_room(80);
     for (size_t i = 0; i < soup.triangles; i++) {
         random_stream g = random_start(1, i, 0);
-        vec3 a = random_in_cube(&g, 1);
-        set_triangle(&soup, i, a, vadd(a, random_in_cube(&g, 1)), vadd(a, random_in_cube(&g, 1)));
+        vec3 a = random_in_cube(&g, 1), e = random_in_cube(&g, 1);
+        set_triangle(&soup, i, a, vadd(a, random_in_cube(&g, 1)), vadd(a, e));
     }
     test_scene("cyclic", cyclic_mesh(), 1, true);
     test_scene("soup", soup, 1, true);

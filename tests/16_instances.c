@@ -549,9 +549,11 @@ static void test_refined(void)
     for (size_t i = 0; i < 200; i++) {
         random_stream g = random_start(54, i, 0);
         affine raw = {.o = {0, 0, 0}}, a = raw, m;
-        m = affine_rotation(vunit(random_in_cube(&g, 1)), random_between(&g, 0, 6));
+        real turn = random_between(&g, 0, 6);
+        m = affine_rotation(vunit(random_in_cube(&g, 1)), turn);
         m = affine_then(m, affine_scaling((vec3){1, s, s}));
-        m = affine_then(m, affine_rotation(vunit(random_in_cube(&g, 1)), random_between(&g, 0, 6)));
+        turn = random_between(&g, 0, 6);
+        m = affine_then(m, affine_rotation(vunit(random_in_cube(&g, 1)), turn));
         check(affine_inverse(m, &raw) && instance_inverse(m, &a), "a wire has an inverse");
         before = real_max(affine_norm(inverse_residual(m, raw)), before);
         after = real_max(affine_norm(inverse_residual(m, a)), after);

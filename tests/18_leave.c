@@ -263,8 +263,9 @@ static void test_between(void)
                 two[k] = i % 2 ? shape_of_sphere((sphere){m, 1})
                                : shape_of_triangle((triangle){vmadd(m, x, 3), vmadd(m, y, 3),
                                                               vmadd(vmadd(m, x, -3), y, -3)});
-                vec3 aim = i % 2 ? vmadd(m, departure_towards(z, random_next(&s), &s), k ? -1 : 1)
-                                 : vmadd(vmadd(m, x, random_next(&s)), y, random_next(&s) / 2);
+                real u = i % 2 ? 0 : random_next(&s) / 2, v = random_next(&s);
+                vec3 aim = i % 2 ? vmadd(m, departure_towards(z, v, &s), k ? -1 : 1)
+                                 : vmadd(vmadd(m, x, v), y, u);
                 ray r = ray_between(c, aim);
                 hit h;
                 r.tmax = real_infinity;

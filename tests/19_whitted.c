@@ -466,7 +466,8 @@ static void test_touch(void)
             stage_add(&s, shape_of_polygon(polygon_of(c, 4)), k ? whitted_clear(1, 1) : floor);
         }
         tracer t = stage_begin(&s, 3);
-        vec3 at = vmadd(vscale(a, random_next(&q) / 2), b, random_next(&q) / 2);
+        vec3 at = vscale(b, random_next(&q) / 2);
+        at = vmadd(at, a, random_next(&q) / 2);
         ray r = ray_from(vmadd(at, z, 3), vneg(z));
         for (int k = 0; k < 2; k++) {
             s.w.touch = k ? 32 * size * real_epsilon : 0;
@@ -677,7 +678,8 @@ static void test_cut(void)
     double worst = 0;
     for (size_t i = 0; i < check_count(2000); i++) {
         random_stream s = random_start(9, i, 0);
-        ray r = camera_ray(c, 100 * random_next(&s), 100 * random_next(&s), 100, 100);
+        real y = 100 * random_next(&s), x = 100 * random_next(&s);
+        ray r = camera_ray(c, x, y, 100, 100);
         w->depth = 40, w->least = 0;
         vec3 all = whitted_ray(&t, r, (media_set){0});
         w->least = 0.001;
@@ -704,7 +706,8 @@ static void test_loop(const char *name, stage *w, camera c)
     w->w.least = (real)1 / 1024, w->w.depth = 12;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(10, i, 0);
-        ray r = camera_ray(c, 100 * random_next(&s), 75 * random_next(&s), 100, 75);
+        real y = 75 * random_next(&s), x = 100 * random_next(&s);
+        ray r = camera_ray(c, x, y, 100, 75);
         vec3 u = whitted_ray(&a, r, (media_set){0}), v = whitted_ray_loop(&b, r, (media_set){0});
         worst = check_worse(worst, (double)(vlength(vsub(u, v)) / (1 + vlength(u))));
     }

@@ -55,11 +55,13 @@ static void test_lamp(void)
     double worst = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0), copy;
-        area_light full = {AREA_RECTANGLE, vscale(random_unit(&s), random_between(&s, 2, 9)),
+        real far = random_between(&s, 2, 9);
+        area_light full = {AREA_RECTANGLE, vscale(random_unit(&s), far),
                            random_unit(&s), random_unit(&s), {0, 0, 0}, 0, {1, 2, 3}};
         full.n = vunit(vcross(full.b, full.a));
         first_lamp lamp = known_first_lamp(&full);
-        first_point x = {.p = vscale(random_unit(&s), random_next(&s)), .n = random_unit(&s)};
+        far = random_next(&s);
+        first_point x = {.p = vscale(random_unit(&s), far), .n = random_unit(&s)};
         copy = s;
         real u = random_next(&copy), v = random_next(&copy);
         area_sample due;

@@ -92,8 +92,8 @@ static void test_point(void)
     random_stream s = random_start(31, 0, 0);
     size_t n = check_count(20000), differ = 0, lit = 0;
     for (size_t i = 0; i < n; i++) {
-        vec3 p = vscale(random_unit(&s), random_between(&s, 0, 5));
-        vec3 at = vscale(random_unit(&s), random_between(&s, 0, 5));
+        vec3 p = random_unit(&s), at = random_unit(&s);
+        p = vscale(p, random_between(&s, 0, 5)), at = vscale(at, random_between(&s, 0, 5));
         vec3 ng = random_unit(&s), ns = vunit(vmadd(ng, random_unit(&s), 0.3));
         vec3 colour = {random_between(&s, 0, 9), random_between(&s, 0, 9), i % 7 ? 1 : 0};
         if (i % 11 == 0) colour = (vec3){0, 0, 0};
@@ -128,7 +128,8 @@ static void test_ball(void)
     random_stream s = random_start(32, 0, 0);
     double off = 0, far = -1;
     for (size_t i = 0; i < check_count(20000); i++) {
-        vec3 at = vscale(random_unit(&s), random_between(&s, 1.0001, 4)), p = {0, 0, 0};
+        real away = random_between(&s, 1.0001, 4);
+        vec3 at = vscale(random_unit(&s), away), p = {0, 0, 0};
         area_light L = {AREA_BALL, at, .r = 1, .colour = {1, 1, 1}};
         area_sample x;
         real u = random_next(&s), v = random_next(&s);
@@ -428,7 +429,8 @@ static void test_passing(void)
     size_t cut = 0;
     for (size_t i = 0; i < check_count(2000); i++) {
         sphere b = {vscale(random_unit(&s), 3), random_between(&s, 0.2, 1)};
-        vec3 o = vscale(random_unit(&s), 9), v = vscale(random_unit(&s), random_between(&s, 0, 4));
+        vec3 o = vscale(random_unit(&s), 9), v = random_unit(&s);
+        v = vscale(v, random_between(&s, 0, 4));
         vec3 d = vsub(vmadd(b.c, random_unit(&s), (real)1.5), o);
         flying f;
         flying_ball(&f, b, v);
@@ -456,7 +458,8 @@ static void test_moved(void)
     size_t other = 0, met = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         sphere b = {vscale(random_unit(&s), 3), random_between(&s, 0.2, 1)}, there = b;
-        vec3 v = vscale(random_unit(&s), random_between(&s, 0, 4)), by;
+        real fast = random_between(&s, 0, 4);
+        vec3 v = vscale(random_unit(&s), fast), by;
         real time = random_next(&s);
         flying f;
         flying_ball(&f, b, v);
@@ -497,7 +500,8 @@ static void test_leaves(void)
         double far = pow(10, (double)random_between(&s, -2, 6));
         sphere b = {vscale(random_unit(&s), (real)far), pow((real)10, random_between(&s, -2, 2))};
         b.r = real_max(b.r, (real)1e3 * real_epsilon * (real)far);  /* it has points */
-        vec3 v = vscale(random_unit(&s), (real)pow(10, (double)random_between(&s, -2, 6))), by;
+        real fast = pow((real)10, random_between(&s, -2, 6));
+        vec3 v = vscale(random_unit(&s), fast), by;
         vec3 w = random_unit(&s);
         real time = random_next(&s);
         flying f;

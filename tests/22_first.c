@@ -52,8 +52,9 @@ static void test_sphere(void)
     double worst = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        sphere b = {vscale(any_direction(&s), 3 * random_next(&s)), random_between(&s, 0.1, 3)};
-        vec3 p = vmadd(b.c, any_direction(&s), b.r * random_between(&s, 1.01, 10));
+        vec3 c = any_direction(&s), d = any_direction(&s);
+        sphere b = {vscale(c, 3 * random_next(&s)), random_between(&s, 0.1, 3)};
+        vec3 p = vmadd(b.c, d, b.r * random_between(&s, 1.01, 10));
         double is = (double)first_sphere_solid_angle(b, p), due = (double)sphere_solid_angle(b, p);
         /* p is known to an epsilon of its size, 33 at most: to as much of R, divided by it */
         double known = eps * (1 + (double)(vlength(p) / b.r));

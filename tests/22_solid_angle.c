@@ -182,8 +182,9 @@ static void test_edge_on_rectangles(void)
         real a = random_between(&s, -1, 1), b = random_between(&s, -1, 1);
         real c = random_between(&s, -1, 1);
         rectangle r = {point(&s, 1), {a, b, 0}, {-b, a, c}};
-        vec3 in = vmadd(vmadd(r.o, r.s, random_between(&s, -3, 3)), r.t, random_between(&s, -3, 3));
-        vec3 p = vmadd(in, vcross(r.s, r.t), size_between(&s, lo, 0));
+        vec3 p = vmadd(r.o, r.t, random_between(&s, -3, 3));
+        p = vmadd(p, r.s, random_between(&s, -3, 3));
+        p = vmadd(p, vcross(r.s, r.t), size_between(&s, lo, 0));
         wide3 o = wide3_between(p, r.o, 0);
         double exact = wide_value(wide3_dot(o, wide3_cross(wide3_of(r.s), wide3_of(r.t))));
         if (fabs(exact) < 1e-30) continue;

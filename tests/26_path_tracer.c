@@ -559,7 +559,8 @@ static void test_choice_of_light(void)
     check_at_most(rim, 2 + skies / 1000, "draws at the edge of a texel, of %zu", skies);
     estimate whole = {0};  /* 4 pi times the mean pdf of a uniform direction is 1 */
     for (size_t k = 0; k < check_count(40000); k++) {
-        vec3 d = sample_sphere(random_next(&from), random_next(&from));
+        real u = random_next(&from), v = random_next(&from);
+        vec3 d = sample_sphere(u, v);
         whole = estimate_add(whole, 4 * (double)pi * (double)environment_pdf(&sky, d));
     }
     check_at_least(t_test(whole, 1, 1e-6), false_alarm, "the sky's pdf sums to %g", whole.mean);

@@ -67,16 +67,18 @@ static void random_glass(uint64_t number, bool equal, char text[4000])
     size_t n = (size_t)snprintf(text, 4000, "%s", ABOVE);
     for (int k = 0; k < 5; k++) {
         double x = some(&r, -0.7, 0.4), y = some(&r, 0.1, 0.9), z = some(&r, -0.7, 0.4), p;
+        double green = some(&r, 0, 1), red = some(&r, 0, 1);
         n += (size_t)snprintf(text + n, 4000 - n, "material m%d\nKd 0\nillum 7\nNi %.3f\n"
-                              "absorb %.2f %.2f 0\n", k, some(&r, 1.05, 2), some(&r, 0, 1),
-                              some(&r, 0, 1));
+                              "absorb %.2f %.2f 0\n", k, some(&r, 1.05, 2), red, green);
         p = some(&r, 0, 3);
         n += (size_t)snprintf(text + n, 4000 - n, "priority %d\n", equal ? 0 : (int)p);
         if (k % 2) n += (size_t)snprintf(text + n, 4000 - n, "sphere %.3f %.3f %.3f %.3f\n", x, y,
                                          z, some(&r, 0.2, 0.8));
-        else n += (size_t)snprintf(text + n, 4000 - n, "box %.3f %.3f %.3f  %.3f %.3f %.3f\n", x, y,
-                                   z, x + some(&r, 0.2, 1), y + some(&r, 0.2, 1),
-                                   z + some(&r, 0.2, 1));
+        else {
+            double c = z + some(&r, 0.2, 1), b = y + some(&r, 0.2, 1), a = x + some(&r, 0.2, 1);
+            n += (size_t)snprintf(text + n, 4000 - n, "box %.3f %.3f %.3f  %.3f %.3f %.3f\n", x, y,
+                                  z, a, b, c);
+        }
     }
 }
 
@@ -95,10 +97,12 @@ static void test_whitted(void)
         c.how.apart = false;
         for (uint64_t k = 0; k < 100; k++, rays++) {
             random_stream s = random_start(30, i, k);
-            ray r = camera_ray(q.e.eye, 60 * random_next(&s), 45 * random_next(&s), 60, 45);
-            if (k % 4 == 0)  /* from among them, to the wall */
-                r = ray_from(vec(some(&s, -1, 1), some(&s, 0, 1.5), some(&s, -1, 1)),
-                             vunit(vec(some(&s, -1, 1), some(&s, -1, 1), -1)));
+            real y = 45 * random_next(&s), x = 60 * random_next(&s);
+            ray r = camera_ray(q.e.eye, x, y, 60, 45);
+            if (k % 4 == 0) {  /* from among them, to the wall */
+                vec3 d = vec(some(&s, -1, 1), some(&s, -1, 1), -1);
+                r = ray_from(vec(some(&s, -1, 1), some(&s, 0, 1.5), some(&s, -1, 1)), vunit(d));
+            }
             media_set in = bodies_around(&q.e, r.o);
             tracer t = {.w = &c.world, .program = whitted_programs, .user = &c.how};
             vec3 a = seen_along(&q, r), b = whitted_ray(&t, r, in);

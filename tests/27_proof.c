@@ -109,9 +109,10 @@ static void random_light(random_stream *r, writing *w, proof_said *said)
 static proof_said random_scene(random_stream *r, writing *w)
 {
     proof_said said = {false, false, false};
-    say(w, "%scamera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\n"
-        "material red\nKd 0.7 0.1 0.1\n",
-        chance(r, 0.2) ? "up y\n" : "", some(r, 1, 6));
+    double far = some(r, 1, 6);
+    if (chance(r, 0.2)) say(w, "up y\n");
+    say(w, "camera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\n"
+        "material red\nKd 0.7 0.1 0.1\n", far);
     random_light(r, w, &said);
     if (chance(r, 0.1)) say(w, "nff lit.nff\n");
     for (int k = 0, m = (int)some(r, 0, 5); k < m; k++)
@@ -130,9 +131,9 @@ static void random_nff(random_stream *r, writing *w)
     if (chance(r, 0.3)) say(w, "l -2 4 3 %g 0.5 0.5\n", some(r, 0, 1));
     for (int k = 0, m = (int)some(r, 0, 5); k < m; k++) {
         double x = some(r, -2, 2), z = some(r, -2, 1);
-        say(w, "f 0.9 0.5 %g %g %g %g %g %g\n", some(r, 0, 1), chance(r, 0.3) ? 0 : some(r, 0, 1),
-            chance(r, 0.5) ? 0 : some(r, 0, 1), some(r, 1, 50), chance(r, 0.7) ? 0 : some(r, 0, 1),
-            some(r, 1, 2));
+        double ior = some(r, 1, 2), T = chance(r, 0.7) ? 0 : some(r, 0, 1), shine = some(r, 1, 50);
+        double ks = chance(r, 0.5) ? 0 : some(r, 0, 1), kd = chance(r, 0.3) ? 0 : some(r, 0, 1);
+        say(w, "f 0.9 0.5 %g %g %g %g %g %g\n", some(r, 0, 1), kd, ks, shine, T, ior);
         switch ((int)some(r, 0, 4)) {
         case 0: say(w, "s %g 0.5 %g 0.5\n", x, z); break;
         case 1: say(w, "c %g 0 %g 0.5 %g 1 %g 0.1\n", x, z, x, z); break;

@@ -449,8 +449,8 @@ static void test_patches(void)
                       "their areas add up to the polygon's: some 40 sums of numbers about 4");
         size_t wrong = 0;
         for (int q = 0; q < 50; q++) {
-            vec3 at = vadd((vec3){3, 1, -2}, vadd(vscale(x, random_next(&rng) * 3 - (real)1.5),
-                                                  vscale(y, random_next(&rng) * 3 - (real)1.5)));
+            vec3 at = vmadd((vec3){3, 1, -2}, y, random_next(&rng) * 3 - (real)1.5);
+            at = vmadd(at, x, random_next(&rng) * 3 - (real)1.5);
             ray r = ray_from(vadd(at, n), vneg(n));
             hit h;
             bool in = polygon_hit(p, r, &h), found = false;

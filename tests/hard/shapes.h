@@ -54,7 +54,8 @@ static inline hard_count windows(int k, real x)
         vec3 e = vscale(hard_unit(&s), x * (real)((double)FLT_EPSILON / hard_eps));
         camera_frame f;
         failure why;
-        if (!frame_look_at((vec3){0, 0, 0}, hard_unit(&s), hard_unit(&s), &f, &why)) fail(why);
+        vec3 up = hard_unit(&s), to = hard_unit(&s);
+        if (!frame_look_at((vec3){0, 0, 0}, to, up, &f, &why)) fail(why);
         camera c = {CAMERA_PERSPECTIVE, e, f.u, f.v, f.w, -1, 1, (real)-0.75, (real)0.75, 1,
                     {0, 0, 0}};
         real px = 640 * random_next(&s), py = 480 * random_next(&s);
@@ -73,7 +74,8 @@ static inline hard_count ups(int k, real x)
     (void)k;
     for (size_t i = 0; i < n.tried; i++) {
         random_stream s = random_start(hard_seed, i, 0);
-        vec3 view = vscale(hard_unit(&s), 1 + 99 * random_next(&s)), e = {0, 0, 0}, a, b;
+        real far = 1 + 99 * random_next(&s);
+        vec3 view = vscale(hard_unit(&s), far), e = {0, 0, 0}, a, b;
         vbasis(vunit(view), &a, &b);
         vec3 up = x > 0 ? vmadd(vunit(view), a, x) : vscale(view, random_next(&s) - (real)0.5);
         camera_frame f, g = frame_first(e, view, up);

@@ -244,7 +244,8 @@ static inline affine hard_place(random_stream *g, vec3 move, real unlike)
 {
     real size = (real)0.2 + (real)0.8 * random_next(g), flat = 1 + (unlike - 1) * random_next(g);
     affine a = affine_scaling((vec3){size, size / flat, size});
-    a = affine_then(a, affine_rotation(hard_unit(g), 6 * random_next(g)));
+    real turn = 6 * random_next(g);
+    a = affine_then(a, affine_rotation(hard_unit(g), turn));
     return affine_then(a, affine_translation(vadd(move, random_in_cube(g, 2))));
 }
 

@@ -69,7 +69,8 @@ static inline ray implicit_ray_anywhere(const implicit_subject *u, random_stream
 {
     real B = u->s.ball.r;
     vec3 o = vmadd(u->s.ball.c, implicit_random_direction(s), 2 * B);
-    vec3 to = vmadd(u->s.ball.c, implicit_random_direction(s), B * cbrt(random_next(s)));
+    real off = B * cbrt(random_next(s));
+    vec3 to = vmadd(u->s.ball.c, implicit_random_direction(s), off);
     return ray_from(o, vscale(vsub(to, o), (real)0.5 + random_next(s)));
 }
 
