@@ -95,6 +95,8 @@ static void test_never_negative(void)
     check(!isfinite(e.mean), "an infinite sample spoils the mean");
 }
 
+/* Step i of n rounds the mean at random, and counts i/n in the end: two such means are apart by a
+ * sigma of at most 2.1 epsilon; 16 are allowed. */
 static void test_merge(void)
 {
     enum { n = 300 };
@@ -104,7 +106,7 @@ static void test_merge(void)
     for (size_t k = 0; k <= n; k += 25) {
         estimate e = estimate_merge(of(x, k), of(x + k, n - k));
         check_equal(e.n, n, "numbers merged at %zu", k);
-        check_close(e.mean, whole.mean, 4 * 1e6 * DBL_EPSILON, "mean merged at %zu", k);
+        check_close(e.mean, whole.mean, 16 * 1e6 * DBL_EPSILON, "mean merged at %zu", k);
         check_close(e.squares / whole.squares, 1, 8e6 * DBL_EPSILON, "squares merged at %zu", k);
     }
     check_equal(estimate_merge(none, none).n, 0, "nothing and nothing");
