@@ -7,6 +7,7 @@
  *   test_way(text, z, exponent)                        the light left along -z
  *   along(&e, n, estimates)                            n throws, through the middle of the picture
  *   expect(what, text, exact, rounding, mask)          their mean is exact; mask 0: of the plan
+ *   expect_of(n, what, ..)                             of n throws
  */
 #ifndef SEEN_27_H
 #define SEEN_27_H
@@ -98,18 +99,24 @@ static inline void along(const effects_stage *e, size_t n, estimate out[3])
     }
 }
 
-static inline void expect(const char *what, const char *text, const double exact[3],
-                          double rounding, unsigned mask)
+static inline void expect_of(size_t n, const char *what, const char *text, const double exact[3],
+                             double rounding, unsigned mask)
 {
     set q;
     estimate e[3];
     set_up(&q, text);
     if (mask) effects_stage_effects(&q.e, mask);
-    along(&q.e, check_count(20000), e);
+    along(&q.e, n, e);
     for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, 12 of them */
         check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
                        "%s, channel %d: mean %.9g, exactly %.9g", what, k, e[k].mean, exact[k]);
     tear_down(&q);
+}
+
+static inline void expect(const char *what, const char *text, const double exact[3],
+                          double rounding, unsigned mask)
+{
+    expect_of(check_count(20000), what, text, exact, rounding, mask);
 }
 
 #endif
