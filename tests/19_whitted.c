@@ -138,13 +138,14 @@ static void test_ball(void)
         double T = wide_value(exact.weight);
         direction = check_worse(direction, wide_off(exact.d, x.ray[last].r.d) * near);
         weight = check_worse(weight, fabs((double)x.ray[last].weight.z - T) * near);
-        beer = check_worse(beer, fabs((double)x.ray[last].weight.x / T - exp(-chord / (double)R)));
+        double left = (double)x.ray[last].weight.x / T;
+        beer = check_worse(beer, fabs(left - exp(-chord / (double)R)) * near);
     }
     check_at_least(seen, n * 9 / 10, "rays through the ball");
     check_at_most(place, 64, "where it leaves, in eps of R and of the coordinates");
     check_at_most(direction, 128 * (double)real_epsilon, "direction: i is off by eps |p| / R");
     check_at_most(weight, 128 * (double)real_epsilon, "light (1 - R1)(1 - R2)");
-    check_at_most(beer, 64 * (double)real_epsilon * 1001, "absorbed on the chord");
+    check_at_most(beer, 64 * (double)real_epsilon, "absorbed on the chord");
 }
 
 /* Two mirrors with M = 1/2 that shine with 1: 1 + 1/2 + 1/4 + ..: exact in binary. */
@@ -174,7 +175,8 @@ static void test_hall(void)
     check_equal((double)c.x, 2 - 2 * ldexp(1.0, -10), "cut");
     stage_end(&s);
 
-    /* within a mirror ball, at any angle, depth 256: M = 255/256, ke = 1/256: L = 1 - M^256 */
+    /* within a mirror ball, at any angle, depth 256: M = 255/256, ke = 1/256: L = 1 - M^256; M^k is
+     * off by k epsilon / 2, the sum of M^k / 256 thus by 34, and by 40 as 256 are added */
     stage b = {0};
     m = whitted_mirror(255.0 / 256), m.base.ke = (vec3){(real)1 / 256, 0, 0};
     stage_add(&b, shape_of_sphere((sphere){{5, 6, 7}, 2}), m);
@@ -183,11 +185,11 @@ static void test_hall(void)
         random_stream q = random_start(8, i, 0);
         vec3 d = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q)};
         c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), d), (media_set){0});
-        check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "mirror ball");
+        check_close(c.x, 1 - pow(255.0 / 256, 256), 80 * (double)real_epsilon, "mirror ball");
     }
     b.w.depth = 1000;  /* no more than the stack has room for */
     c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), (vec3){1, 2, 3}), (media_set){0});
-    check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "depth at most 256");
+    check_close(c.x, 1 - pow(255.0 / 256, 256), 80 * (double)real_epsilon, "depth at most 256");
     stage_end(&b);
 }
 
@@ -556,7 +558,7 @@ static void test_looks(void)
     whitted_material m = whitted_clear(1, 1);
     m.mirror = vec(0.5, 1, 0), m.through = (vec3){0, 0, 0};
     c = looked_at(m, &w, up, down);  /* R = 0.04 of the sky above, times M */
-    check_close(c.x, 0.02, 4 * eps, "M of glass");
+    check_close(c.x, 0.02, 0.02 * 4 * eps, "M of glass");
     check(c.y == 0 && c.z == 0, "the sky in the direction of the ray; M black");
     m.base.ke = (vec3){1, 2, 4}, w.depth = 1;
     c = looked_at(m, &w, up, down);

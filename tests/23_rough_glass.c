@@ -127,7 +127,7 @@ static void test_weights(void)
             through += wi.z < 0;
         }
     }
-    check_at_most(off, 1000 * eps, "weight = f cos / pdf");
+    check_at_most(off, 100 * eps, "weight = f cos / pdf");
     check_at_most(most, 1 + 8 * eps, "no sample brings more power than 1");
     check(through > n, "many go through");
 }

@@ -423,7 +423,7 @@ static void test_rough_point(void)
             vec3 L = effects_made_for(q.e.mask)(&q.e, from, bodies_around(&q.e, eye), &d, &c);
             worst = check_worse(worst, fabs((double)L.x - exact) / (exact + 1e-3));
         }
-        check_at_most(worst, 1e5 * (double)real_epsilon, "eye %s, light %s, %s: relative error",
+        check_at_most(worst, 1e4 * (double)real_epsilon, "eye %s, light %s, %s: relative error",
                       below ? "below" : "above", under ? "below" : "above", wet ? "wet" : "dry");
         tear_down(&q);
     }
