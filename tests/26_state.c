@@ -285,7 +285,7 @@ static void test_pipes(void)
 {
     check_equal(shell("mkfifo @pipe; cat chapters/07_mesh/scenes/teapot.obj >@pipe &"), 0,
                 "filled");
-    alarm(20);  /* who opened the pipe twice would wait for ever */
+    alarm(300);  /* who opened the pipe twice would wait for ever */
     check_equal(go("@pipe --size 8x6 --samples 1 --out @p.pfm"), 0, "a model");
     alarm(0);
     check_equal(go("@pipe --size 8x6 --samples 1 --save @p.state"), 2, "no state of it");

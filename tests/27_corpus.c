@@ -118,7 +118,7 @@ int main(void)
     rng = random_start(27, 3, 0);
     if (!mkdtemp(directory)) abort();
     nowhere = fopen("/dev/null", "w");
-    alarm(120);
+    seconds_at_most(120);
     check(d && nowhere, "tests/corpus is there: run this from the top of the tree");
     for (int pass = 0; d && pass < 2; pass++) {
         rewinddir(d);

@@ -4,6 +4,8 @@
  *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
  *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")
  *                                              the file `text` makes the reading of `scene` fail so
+ *   seconds_at_most(120)                       of the processor: what never ends is ended, and a
+ *                                              test that has to wait is not
  */
 #ifndef FILES_27_H
 #define FILES_27_H
@@ -11,8 +13,14 @@
 #include "program.h"
 #include "../chapters/27_effects/files/studio_read.h"
 #include "check.h"
+#include <sys/resource.h>
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline void seconds_at_most(rlim_t most)
+{
+    setrlimit(RLIMIT_CPU, &(struct rlimit){most, most + 1});
+}
 
 static inline bool read_scene(const char *name, studio *s, failure *f)
 {

@@ -431,7 +431,7 @@ static void test_rough_point(void)
 
 int main(void)
 {
-    alarm(120);
+    seconds_at_most(120);
     if (!mkdtemp(directory)) abort();
     test_priorities();
     test_whitted();

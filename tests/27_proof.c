@@ -427,7 +427,7 @@ static void files(void)
 
 int main(void)
 {
-    alarm(240);
+    seconds_at_most(240);
     if (!mkdtemp(directory)) abort();
     files();
     test_promise();

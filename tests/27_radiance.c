@@ -463,7 +463,7 @@ static void test_dice(void)
 
 int main(void)
 {
-    alarm(120);
+    seconds_at_most(120);
     if (!mkdtemp(directory)) abort();
     test_special();
     test_dice();

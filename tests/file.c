@@ -162,7 +162,7 @@ static void test_pipe(void)
         size_t n = fread(got, 1, 15, in);
         _exit(n == 5 && memcmp(got, "hello", 5) == 0 ? 0 : 1);
     }
-    alarm(20);  /* a writer that opened the pipe twice would wait for ever */
+    alarm(300);  /* a writer that opened the pipe twice would wait for ever */
     check(file_try(in_dir("pipe"), &f), "a pipe is not opened for a try");
     int status = 0;
     nanosleep(&(struct timespec){0, 100000000}, NULL);  /* time for the reader to be deceived */
