@@ -84,9 +84,9 @@ static void compare(const char *name, const showcase *c)
     check_at_most(estimate_error(b) / b.mean, 0.05, "%s: known to some percent", name);
 }
 
-/* The Cornell box; a floor and a rough ball under a triangle and a ball that shine; the caustic of a
- * ball of dark glass that is itself out of sight: what is seen through glass no path from the lamp
- * can show. */
+/* The Cornell box; a floor and a rough ball under a triangle and a ball that shine; the caustic of
+ * a ball of dark glass that is itself out of sight: what is seen through glass no path from the
+ * lamp can show. */
 static void test_scenes(void)
 {
     showcase c;
