@@ -182,6 +182,8 @@ static void test_effects(void)
          INTEGRATOR_PATHS},
         {FLOOR SKY, E, INTEGRATOR_PATHS},                          /* one polygon */
         {FLOOR "polygon 9 0 0 9 1 1 8 0 1\n" SKY, E | N, INTEGRATOR_PATHS},
+        {"material m\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 1 -5 -5 0 -5\n" SKY, E | N,
+         INTEGRATOR_PATHS},                                        /* bent: it sees itself */
         {FLOOR "solid black sphere 0 2 0 1\n" SKY, E | N, INTEGRATOR_PATHS},  /* not looked into */
         {FLOOR POINT "lens radius .1\n", H | D, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius 0\n", H, INTEGRATOR_CASTING},

@@ -5,8 +5,9 @@
  *                                              and how many
  *   q.lights, q.first_light                    point lights and suns that are not black
  *   q.around                                   an environment that is not black
- *   q.flat                                     all that reflects is one polygon, or nothing: what
- *                                              leaves it meets nothing that could send it back
+ *   q.flat                                     all that reflects is one polygon in a plane, or
+ *                                              nothing: what leaves it meets nothing that could
+ *                                              send it back
  *   q.direct_only                              all the light there is comes from formats that know
  *                                              direct light alone, and nobody says `indirect on`
  *
@@ -67,7 +68,9 @@ static inline bool plan_flat(const studio *s, const appearance *look)
     size_t reflecting = 0;
     for (size_t i = 0; i < s->shapes; i++) {
         if (appearance_black(&look[s->shape_material[i]])) continue;
-        if (s->shape[i].kind != SHAPE_POLYGON || reflecting++ > 0) return false;
+        const shape *x = &s->shape[i];
+        if (x->kind != SHAPE_POLYGON || !polygon_is_flat(&x->polygon) || reflecting++ > 0)
+            return false;
     }
     return !s->places && !s->solids;
 }

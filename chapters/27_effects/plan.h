@@ -98,7 +98,7 @@ static const plan_rule plan_rules[] = {
      "no material in use is matte (Kd)"},
     {EFFECT_INDIRECT, VERDICT_CANNOT, "dark", rule_dark, "there is no light to be passed on"},
     {EFFECT_INDIRECT, VERDICT_CANNOT, "one plane", rule_one_plane,
-     "all that reflects is one polygon, and a plane does not see itself"},
+     "all that reflects is one flat polygon, and a plane does not see itself"},
     {EFFECT_INDIRECT, VERDICT_DECLINED, "said off", rule_said_off, "`indirect off`"},
     {EFFECT_INDIRECT, VERDICT_DECLINED, "direct formats", rule_direct_formats,
      "all light is of NFF or MTL, which define direct light only"},
