@@ -380,6 +380,22 @@ static void test_light(void)
            mask);
 }
 
+/* A wide lamp of 300 corners, R = h = 2, straight above: n edges seen under an angle t each, in
+ * planes whose normals are c = cos from the floor's: L = kd Ke n t c / (2 pi), by Lambert. */
+static void test_round_lamp(void)
+{
+    enum { n = 300 };
+    char text[300 + 50 * n];
+    int size = sprintf(text, "camera from 0 1 3 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
+                       "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 4\npolygon");
+    for (int k = 0; k < n; k++)
+        size += sprintf(text + size, " %.17g 2 %.17g", 2 * cos(2 * (double)pi * k / n),
+                        2 * sin(2 * (double)pi * k / n));
+    double turn = 2 * (double)pi / n, t = acos((cos(turn) + 1) / 2), c = sin(turn) / 2 / sin(t);
+    double L = 0.5 * 4 * n * t * c / (2 * (double)pi);
+    expect("under a lamp of many corners", text, (double[3]){L, L, L}, 300, 0);
+}
+
 /* A ball of clear glass that shines, R 2, 3 above: each ray meets two faces, L = kd 2 Ke (R/h)^2.
  * Let into other glass both are hidden: they shine all the same, for shadow rays and for others. */
 static void test_hidden_lamp(void)
@@ -484,6 +500,7 @@ int main(void)
     test_left_out();
     test_light();
     test_deep();
+    test_round_lamp();
     test_hidden_lamp();
     test_ways();
     remove_directory();

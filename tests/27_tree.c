@@ -335,7 +335,8 @@ static void test_lamps(void)
                           "polygon -2 5 0  -1.5 5.5 0  -2 6 0\n", "lamps", NULL, &s, &f)) fail(f);
     if (!studio_tree_build(&s, &t, &f)) fail(f);
     lamps_build(&t, &l);
-    lamps_add(&l, (emitter){.area = 0}), lamps_add(&l, (emitter){.area = real_infinity});
+    lamps_add(&l, (emitter){.area = 0}, studio_no_face);
+    lamps_add(&l, (emitter){.area = real_infinity}, studio_no_face);
     check_equal((double)l.n, 3, "lamps, all of some area");
     test_pdf(&t, &l);
     lamps_free(&l), studio_tree_free(&t), studio_free(&s);
@@ -421,10 +422,8 @@ static void test_owed(void)
         solid_free(&x);
     }
     vec3 v[4] = {{0, 0, 0}, {4, 0, 0}, {4 + 64 * eps, 4, 0}, {0, 4, 0}};  /* of 128 eps allowed */
-    lamp_list l = {.face = NULL};
-    lamps_add_polygon(&l, polygon_of(v, 4), (vec3){1, 1, 1});
-    check_equal(l.n, 1, "a rectangle but for roundings: one lamp");
-    lamps_free(&l);
+    polygon g = polygon_of(v, 4);
+    check(finish_is_parallelogram(&g), "a rectangle but for roundings: one lamp");
     vec3 p = {1 - 18 * eps, 0, 0};  /* 16 eps r + 4 eps |p| = 20 eps */
     check(!lamps_within((sphere){{0, 0, 0}, 1}, p, (vec3){1, 0, 0}), "on it: the normal says");
     appearance a = {.matte = {0.5, 0.5, 0.5}, .mirror = {(real)0.5 + 8 * eps, 0.5, 0.5}};

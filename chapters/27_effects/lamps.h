@@ -12,7 +12,7 @@
  *   (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum,
  *   does not depend on which face it lies: no table from shapes to faces is needed.        (27.6)
  *
- * Polygons with four corners that are a parallelogram stay one, others become triangles (patch.h).
+ * Polygons that emit are parallelograms: others have become triangles (finish.h).
  * MTL says nothing of a front: faces emit to both sides, and p draws from the side that it is on.
  * Spheres, too: from within by the directions of all the sphere, else by the cone they are seen in.
  */
@@ -20,12 +20,11 @@
 #define EFFECTS_LAMPS_H
 
 #include "../24_direct_light/lights.h"
-#include "patch.h"
 #include "studio_tree.h"
 
 typedef struct {
     emitter *face;
-    studio_face *lies_in;   /* [n] what of the studio it is, or a part of; no face: not flat */
+    studio_face *lies_in;   /* [n] what of the studio it is; no face: not flat */
     size_t n, room, lying;
     lit_lights of;
     real sum;
@@ -40,59 +39,35 @@ static inline void lamps_free(lamp_list *l)
     *l = (lamp_list){.face = NULL};
 }
 
-static inline void lamps_add(lamp_list *l, emitter x)
+/* Lamp x is in face `of`. */
+static inline void lamps_add(lamp_list *l, emitter x, studio_face of)
 {
     if (!(x.area > 0) || !isfinite(x.area)) return;
     l->face = grown(l->face, l->n, &l->room, sizeof *l->face);
-    l->face[l->n++] = x;
+    l->lies_in = grown(l->lies_in, l->n, &l->lying, sizeof *l->lies_in);
+    l->lies_in[l->n] = of, l->face[l->n++] = x;
 }
 
-static inline void lamps_add_polygon(lamp_list *l, polygon g, vec3 Ke)
+/* In a studio nothing else shines: finish.h. */
+static inline emitter lamps_of_shape(const shape *s, vec3 Ke)
 {
-    uint32_t index[3 * patch_most];
-    vec3 s = vsub(g.v[1], g.v[0]), t = vsub(g.v[g.n - 1], g.v[0]);
-    vec3 off = g.n == 4 ? vsub(vsub(g.v[2], g.v[1]), t) : s;
-    if (g.n == 4 && vlength(off) <= 16 * real_epsilon * (vlength(s) + vlength(t)
-                                                         + surface_reach(g.v[0]))) {
-        lamps_add(l, emitter_of_rectangle((rectangle){g.v[0], s, t}, Ke));
-        return;
-    }
-    size_t n = g.n <= patch_most ? patch_triangles(g.v, g.n, index) : 0;
-    for (size_t k = 0; k < n; k++)
-        lamps_add(l, emitter_of_triangle((triangle){g.v[index[3 * k]], g.v[index[3 * k + 1]],
-                                                    g.v[index[3 * k + 2]]}, Ke));
-}
-
-static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
-{
-    switch (s->kind) {
-    case SHAPE_SPHERE: lamps_add(l, emitter_of_sphere(s->sphere, Ke)); break;
-    case SHAPE_TRIANGLE: lamps_add(l, emitter_of_triangle(s->triangle, Ke)); break;
-    case SHAPE_POLYGON: lamps_add_polygon(l, s->polygon, Ke); break;
-    default: break;  /* in a studio nothing else shines: finish.h */
-    }
+    if (s->kind == SHAPE_SPHERE) return emitter_of_sphere(s->sphere, Ke);
+    if (s->kind == SHAPE_TRIANGLE) return emitter_of_triangle(s->triangle, Ke);
+    const vec3 *v = s->polygon.v;
+    return emitter_of_rectangle((rectangle){v[0], vsub(v[1], v[0]), vsub(v[3], v[0])}, Ke);
 }
 
 /* In the world; where it was moved to, the pad of (16.3) is what rounding adds, once to the corners
  * and once to the ray that meets it. Climbing has met a fifth of a pad (12's node.h): so less would
  * be enough, and is not proven to be. */
-static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio_face x, vec3 Ke)
+static inline emitter lamps_of_triangle(const studio_tree *t, studio_face x, vec3 Ke)
 {
     size_t k;
     triangle c = studio_triangle(t, x.place, x.index, &k);
     emitter one = emitter_of_triangle(c, Ke);
     vec3 most = vmax(vmax(vmax(c.a, vneg(c.a)), vmax(c.b, vneg(c.b))), vmax(c.c, vneg(c.c)));
     if (k < t->moved.n) one.noise += 2 * placing_pad(&t->pad[k], most);
-    lamps_add(l, one);
-}
-
-/* Lamps n and on lie in x. */
-static inline void lamps_lie_in(lamp_list *l, size_t n, studio_face x)
-{
-    for (; n < l->n; n++) {
-        l->lies_in = grown(l->lies_in, n, &l->lying, sizeof *l->lies_in);
-        l->lies_in[n] = x;
-    }
+    return one;
 }
 
 static inline void lamps_build(const studio_tree *t, lamp_list *out)
@@ -103,10 +78,8 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
         studio_face x = s->emitter[i];
         studio_hit h = {{0, 0, 0, x.index}, x.place};
         vec3 Ke = s->material[studio_hit_material(t, h)].ke;
-        size_t before = out->n;
-        if (x.place == no_shape) lamps_add_shape(out, &s->shape[x.index], Ke);
-        else lamps_add_triangle(out, t, x, Ke);
-        lamps_lie_in(out, before, studio_flat_face(t, h));
+        lamps_add(out, x.place == no_shape ? lamps_of_shape(&s->shape[x.index], Ke)
+                                           : lamps_of_triangle(t, x, Ke), studio_flat_face(t, h));
     }
     double sum = 0;
     for (size_t i = 0; i < out->n; i++) sum += (double)emitter_power(&out->face[i]);

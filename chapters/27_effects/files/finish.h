@@ -2,7 +2,8 @@
  *
  *   studio_finish(&s, &f)      once, at the end of reading: studio_read does it
  *
- *   corners     polygons are told where theirs are
+ *   corners     polygons are told where theirs are; those that emit, but for parallelograms, become
+ *               triangles: of these points can be drawn (lamps.h)
  *   used        of materials: does a shape, or a triangle of a placed mesh, have it?
  *   emitter     a list of all that has Ke: shapes, and triangles by place
  *   classic     lights of NFF get their intensity: I = pi c D^2, D the distance from where the
@@ -10,12 +11,14 @@
  *
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
  * a light of NFF so far away that no number holds its intensity; a solid (solids.h) that lets light
- * through or emits it; a cone that emits; a roughness of what is no glass.
+ * through or emits it; a cone, or a concave polygon of many corners, that emits; a roughness of
+ * what is no glass.
  */
 #ifndef EFFECTS_FINISH_H
 #define EFFECTS_FINISH_H
 
 #include "../appearance.h"
+#include "../patch.h"
 #include "studio_add.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -105,6 +108,33 @@ static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what,
     return true;
 }
 
+static inline bool finish_is_parallelogram(const polygon *g)
+{
+    vec3 s = vsub(g->v[1], g->v[0]), t = vsub(g->v[g->n - 1], g->v[0]);
+    real size = vlength(s) + vlength(t) + surface_reach(g->v[0]);
+    return g->n == 4 && vlength(vsub(vsub(g->v[2], g->v[1]), t)) <= 16 * real_epsilon * size;
+}
+
+/* Shape i, a polygon that emits: the first triangle in its place, the others behind all shapes. */
+static inline bool finish_lamp(studio *s, uint32_t i, failure *f)
+{
+    const polygon g = s->shape[i].polygon;
+    char said[300];
+    uint32_t m = s->shape_material[i], *k = NULL;
+    if (finish_is_parallelogram(&g)) return true;
+    k = allocate(g.n, 3 * sizeof *k);
+    size_t n = patch_triangles(g.v, g.n, k);
+    for (size_t j = 0; j < n; j++) {
+        triangle t = {g.v[k[3 * j]], g.v[k[3 * j + 1]], g.v[k[3 * j + 2]]};
+        if (j) studio_add_shape(s, shape_of_triangle(t), m);
+        else s->shape[i] = shape_of_triangle(t);
+    }
+    free(k);
+    return n || failed(f, 2, "%s: Ke: of a concave polygon of %u corners, allowed: of up to %d",
+                       studio_said(s, s->material[m].said[KEY_KE], said, sizeof said),
+                       (unsigned)g.n, patch_most);
+}
+
 static inline bool finish_rough(const studio *s, failure *f)
 {
     char said[300];
@@ -132,9 +162,11 @@ static inline bool studio_finish(studio *s, failure *f)
         uint32_t m = s->shape_material[i];
         s->material[m].used = true;
         if (x->kind == SHAPE_POLYGON) x->polygon.v = next, next += x->polygon.n;
+        if (vzero(s->material[m].ke)) continue;
         if (x->kind == SHAPE_CONE && finish_refuses(s, m, "cone", false, s->material[m].at, f))
             return false;
-        if (!vzero(s->material[m].ke) && !finish_emits(s, no_shape, i, f)) return false;
+        if (x->kind == SHAPE_POLYGON && !finish_lamp(s, i, f)) return false;
+        if (!finish_emits(s, no_shape, i, f)) return false;
     }
     for (uint32_t m = 0; m < s->meshes; m++)
         if (!finish_mesh(s, m, f)) return false;
