@@ -10,7 +10,7 @@ int main(int argc, char **argv)
     const char *text = NULL;
     option own[] = {
         {"expression", OPTION_TEXT, &text, 0, 0, "draws 'difference(sphere 0 0 0 1, ..)'"}, {0}};
-    options defaults = {.width = 960, .height = 640, .seed = 1};
+    options defaults = {.width = 720, .height = 480, .seed = 1};
     options o = options_read(argc, argv, "06_csg", "Solids from solids: error and time.", defaults,
                              own);
     o.own = text;

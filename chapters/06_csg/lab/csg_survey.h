@@ -7,8 +7,10 @@
  *                                    `least` is rounding, and nothing
  *   csg_sight s = csg_sight_of(kind, seed)   a scene, and rays that try it; free s.scene
  *   csg_sight_ray(&s, i)             ray i of them
- *   csg_wrong(&s, X_hit, bare, n)    of n rays, percent whose hit, t or normal is not the truth;
- *                                    bare: of the tree without its bounds
+ *   csg_due d = csg_due_of(&s, i)    the same, and its first hit as it ought to be
+ *   csg_errs(&s, &d, X_hit, bare)    is X_hit's hit, t or normal another? bare: of the tree without
+ *                                    its bounds
+ *   csg_wrong(&s, X_hit, bare, n)    percent of n rays
  */
 #ifndef CSG_SURVEY_H
 #define CSG_SURVEY_H
@@ -26,6 +28,7 @@ typedef struct {
     vec3 shift;
     uint64_t seed;
 } csg_sight;
+typedef struct { ray r; bool is; double t; vec3 n; } csg_due;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -92,21 +95,32 @@ static inline double csg_sight_least(const csg_sight *s)
     return s->kind == CSG_FAR_AWAY ? (real_is_float ? 1e-4 : 1e-6) : real_is_float ? 2e-5 : 1e-9;
 }
 
-static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, bool bare, size_t n)
+static inline csg_due csg_due_of(const csg_sight *s, size_t i)
+{
+    csg_due d = {csg_sight_ray(s, i), false, 0, {0, 0, 0}};
+    d.is = csg_truth(csg_expression_model(&s->scene.e), &s->scene.c, d.r, csg_sight_least(s), &d.t,
+                     &d.n);
+    return d;
+}
+
+static inline bool csg_errs(const csg_sight *s, const csg_due *d, csg_hit_function *X_hit,
+                            bool bare)
 {
     csg c = s->scene.c;
-    csg_model m = csg_expression_model(&s->scene.e);
-    double least = csg_sight_least(s), t = 0;
-    size_t wrong = 0;
+    hit h;
     c.no_bounds = bare;
+    bool is = X_hit(&c, d->r, &h);
+    if (!is || !d->is) return is != d->is;
+    return !(fabs((double)h.t - d->t) * (double)vlength(d->r.d) <= csg_sight_least(s)
+             && vdot(csg_normal(&c, d->r, h), d->n) > (real)0.99);
+}
+
+static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, bool bare, size_t n)
+{
+    size_t wrong = 0;
     for (size_t i = 0; i < n; i++) {
-        ray r = csg_sight_ray(s, i);
-        vec3 normal = {0, 0, 0};
-        hit h = hit_none;
-        bool due = csg_truth(m, &c, r, least, &t, &normal), is = X_hit(&c, r, &h);
-        bool there = is && fabs((double)h.t - t) * (double)vlength(r.d) <= least
-            && vdot(csg_normal(&c, r, h), normal) > (real)0.99;
-        wrong += due ? !there : is;
+        csg_due d = csg_due_of(s, i);
+        wrong += csg_errs(s, &d, X_hit, bare);
     }
     return 100 * (double)wrong / (double)n;
 }
