@@ -83,6 +83,7 @@ static inline void survey_job(size_t job, void *context)
 }
 
 typedef struct { const direct_survey *s; direct_way way; } survey_run;
+enum { survey_timed_samples = 16 };
 static inline double survey_timed(void *context)
 {
     const survey_run *r = context;
@@ -90,7 +91,7 @@ static inline double survey_timed(void *context)
     direct_work work = {0, 0, 0};
     for (size_t i = 0; i < r->s->points; i++)
         sum += survey_estimate(r->s, r->way, &r->s->one, SEQUENCE_RANDOM, i, i,
-                               survey_samples(survey_brief), r->s->seed, &work);
+                               survey_timed_samples, r->s->seed, &work);
     return sum;
 }
 
@@ -123,8 +124,8 @@ static inline void survey_measure(direct_survey *s, const options *o)
     survey_run run[direct_ways];
     parallel_whole(direct_ways * survey_levels, o->threads, "samples", survey_job, s);
     for (int k = 0; k < direct_ways; k++) run[k] = (survey_run){s, (direct_way)k};
-    double samples = (double)s->points * survey_samples(survey_brief);
-    bench_each(survey_timed, run, sizeof *run, direct_ways, o->quick ? 1 : 3, 1 / samples,
+    double samples = (double)s->points * survey_timed_samples;
+    bench_each(survey_timed, run, sizeof *run, direct_ways, o->quick ? 1 : 5, 1 / samples,
                s->seconds);
 }
 
