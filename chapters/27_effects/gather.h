@@ -65,12 +65,15 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* surface_of_shape of 18, of balls without asking for the kind again. */
+/* studio_surface, of balls and polygons without a call that copies ray and hit. */
 effects_inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
-    if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
-    return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
+    if (s && s->kind == SHAPE_SPHERE)
+        return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
+    if (s && s->kind == SHAPE_POLYGON)
+        return surface_on_polygon(s->polygon, x.h.shape, ray_at(r, x.h.t));
+    return studio_surface(&e->t, r, x);
 }
 
 /* What the medium that fills the place leaves of the light. */

@@ -277,8 +277,9 @@ effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set 
     branch stack[stage_most_waiting], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
-    *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
-                  .cosine = 1, .left = studio_no_face, .kind = RAY_OF_EYE, .depth = 1};
+    b->r = ray_unit(eye), b->weight = (vec3){1, 1, 1}, b->in = in, b->pdf = real_infinity;
+    b->cosine = 1, b->way = 0, b->kind = RAY_OF_EYE, b->depth = 1, b->passed = 0, b->node = 0;
+    b->left = studio_no_face, b->bounced = false;
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n && top < stage_most_waiting; i++)

@@ -128,11 +128,12 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     return false;
 }
 
-/* Nearer, not as near: the first keeps it. */
+/* Nearer, not as near: the first keeps it. Field by field: a copy of the whole would wait for what
+ * the search has just written. */
 effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
 {
     if (*found && h.t == r->tmax) return;
-    *out = (studio_hit){h, place};
+    *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
     *found = true, r->tmax = h.t;
 }
 
