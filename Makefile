@@ -160,6 +160,7 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 
 images: full
 	cp $(BUILD)/*_time.svg images/
+	$(BUILD)/26_path_tracer --scene spheres --samples 1024 --out images/26_path_tracer_spheres.png
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
 	  --out images/27_effects_demo.png

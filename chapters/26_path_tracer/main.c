@@ -46,10 +46,8 @@ int main(int argc, char **argv)
     draw_scene(&o, "cornell", o.width, o.height, 16, 2, "26_path_tracer.png", true);
     if (!o.out) draw_strategies(&o), draw_vertices(&o);
     if (!o.out && o.full) {
-        if (!getenv("BENCH_ONCE")) {  /* bench.h: the tables are all that is asked for */
-            draw_scene(&o, "spheres", 640, 640, 64, 2, "26_path_tracer_spheres.png", false);
+        if (!getenv("BENCH_ONCE"))  /* bench.h: the tables are all that is asked for */
             draw_scene(&o, "rough", 720, 250, 128, 1, "26_path_tracer_rough.png", false);
-        }
         draw_light(&o), draw_ladder(&o);
     }
     measure_strategies(&o);
