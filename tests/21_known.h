@@ -163,9 +163,9 @@ static inline void known_skies(known *k)
         break;
     case KNOWN_LENS:   /* R = .3, F = 2: at z = 4 the lens is as wide again, upside down */
     case KNOWN_SHARP:
-        k->shapes[0] = known_sheet(k, 0, vec(0.09, 0, k->kind == KNOWN_LENS ? 4 : 2),
+        k->shapes[0] = known_sheet(k, 0, vec(0.135, 0, k->kind == KNOWN_LENS ? 4 : 2),
                                    aside, out);
-        k->truth = k->kind == KNOWN_LENS ? 1 - known_segment(0.3) : 1;
+        k->truth = k->kind == KNOWN_LENS ? 1 - known_segment(0.45) : 1;
         break;
     case KNOWN_MOTION:  /* seen straight up: it comes into sight, and leaves it */
         k->shapes[0] = shape_of_sphere((sphere){{(real)-0.75, (real)-0.25, 4}, (real)0.5});
