@@ -239,6 +239,8 @@ static void test_contacts(void)
 {
     check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 0.5\nsphere 1.25 1 0 0.5\n"), 0,
                 "contact rays of balls in the air");
+    check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 0.25\nsphere 0 1 0 0.5\n"), 0,
+                "of a ball in a ball");
     check_equal(contacts_of(ABOVE UNDER GLASS "box 0 0.1 0  1 1 1\n"), 0, "of a block in the air");
     check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1.1 0 1\nmaterial chalk\nKd 0.5\n"
                             "box -0.6 0 -0.6  0.6 2 0.6  turn 0 1 0 45  move 1.24 0 1.24\n"), 0,
@@ -250,7 +252,7 @@ static void test_contacts(void)
 }
 
 /* In float this ray ends within rounding of the edge of a polygon that it skims, and meets it again
- * and again, in and out of the same body for ever: it is given up. (If not: SIGALRM.) */
+ * and again, in and out of the same body for ever: it is given up. (If not: SIGXCPU.) */
 static void test_ends(void)
 {
     set q;
