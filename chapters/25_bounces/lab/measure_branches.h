@@ -132,7 +132,7 @@ static inline void measure_branches(const options *o)
     parallel_whole(trial_pixels, o->threads, "reference", trial_reference, b);
     parallel_whole(trials * trial_pixels, o->threads, "N directions", trial_job, b);
     for (int k = 0; k < trials; k++) timed[k] = (timed_trial){b, k, o->quick ? 500 : 3000, 0};
-    bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : 15, 1e6, us);
+    bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : o->full ? 15 : 5, 1e6, us);
     for (int k = 0; k < trials; k++) {
         r[k] = trial_result(b, k);
         r[k].us = us[k] / timed[k].rays * r[k].rays;
