@@ -135,9 +135,9 @@ static inline ray_shear shear_along(const ray *r, int kz)
 {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};  /* which is longest is chance: no branch */
     int kx = next[kz + 1], ky = next[kz + 2];
-    real dz = vaxis(r->d, kz);
-    vec3 o = {vaxis(r->o, kx), vaxis(r->o, ky), vaxis(r->o, kz)};
-    return (ray_shear){kx, ky, kz, o, vaxis(r->d, kx) / dz, vaxis(r->d, ky) / dz, 1 / dz};
+    const real *o = (const real *)&r->o, *d = (const real *)&r->d;  /* vaxis copies the three */
+    vec3 from = {o[kx], o[ky], o[kz]};
+    return (ray_shear){kx, ky, kz, from, d[kx] / d[kz], d[ky] / d[kz], 1 / d[kz]};
 }
 
 /* A direction 0, infinite or NaN makes NaN. */
