@@ -136,6 +136,8 @@ typedef struct {
     int bounces;
 } path_walk;
 
+/* Field by field, and l in path_light not at all: a struct that is first cleared as a whole waits
+ * for it. */
 static inline path_walk path_begin(ray eye)
 {
     path_walk w;
