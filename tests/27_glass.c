@@ -101,7 +101,8 @@ static void test_whitted(void)
             ray r = camera_ray(q.e.eye, x, y, 60, 45);
             if (k % 4 == 0) {  /* from among them, to the wall */
                 vec3 d = vec(some(&s, -1, 1), some(&s, -1, 1), -1);
-                r = ray_from(vec(some(&s, -1, 1), some(&s, 0, 1.5), some(&s, -1, 1)), vunit(d));
+                vec3 o = vec(some(&s, -0.4, 0.6), some(&s, 0.3, 1.3), some(&s, -0.4, 0.6));
+                r = ray_from(o, vunit(d));
             }
             media_set in = bodies_around(&q.e, r.o);
             tracer t = {.w = &c.world, .program = whitted_programs, .user = &c.how};
@@ -243,7 +244,7 @@ static double likely_alike(estimate x, estimate y)
 static void test_alike(const char *what, const char *one, const char *other)
 {
     set a, b;
-    size_t n = check_count(3000);
+    size_t n = check_count(6000);
     double worst = 1;
     set_up(&a, one), set_up(&b, other);
     effects_stage_effects(&a.e, a.p.effects | EFFECTS_DICED);
@@ -362,7 +363,7 @@ static void test_rough_lit(const char *text, double most)
         estimate x[2];
         for (int k = 0; k < 2; k++) {
             effects_stage_effects(&q.e, k ? q.p.effects & ~lights : q.p.effects);
-            x[k] = mean_along(&q, r, 15 + (uint64_t)k, check_count(3000));
+            x[k] = mean_along(&q, r, 100 + (uint64_t)(2 * i + k), check_count(3000));
             square[k] += estimate_error(x[k]) * estimate_error(x[k]);
         }
         off += x[0].mean - x[1].mean, sum += x[1].mean;
