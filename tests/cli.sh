@@ -74,11 +74,11 @@ interrupt() {
     status=$?
 }
 
-turn=0 count=0 divisor=${CLI_DIVISOR:-${CHECK_DIVISOR:-2}} part=${CLI_PART:-0}
-case $divisor.$part in
-*[!0-9.]* | 0* | .*) echo "cli.sh: CHECK_DIVISOR is $divisor: allowed are whole numbers from 1" >&2; exit 2 ;;
+turn=0 count=0 divisor=${CLI_DIVISOR:-${CHECK_DIVISOR:-7}}
+case $divisor in
+'' | *[!0-9]* | 0*) echo "cli.sh: CLI_DIVISOR is $divisor: allowed are whole numbers from 1" >&2; exit 2 ;;
 esac
-[ "$divisor" -le 1 ] || echo "cli.sh: one program of $divisor does all; all of them: CLI_DIVISOR=1"
+[ "$divisor" -le 1 ] || echo "cli.sh: ${CLI_REST:+all but }one program of $divisor does all; all of them: CLI_DIVISOR=1"
 for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     name=$(basename "$(dirname "$main")")
     program=$BUILD/$name
@@ -116,10 +116,11 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     if [ -z "$(find . ! -name out ! -name err ! -name garbage ! -name .)" ]; then ok
     else no "misuse left files behind: $(ls)"; fi
 
-    # All that follows for every second program, for the others one run; with CHECK_DIVISOR=10 or CLI_DIVISOR=10 for
-    # every tenth. CLI_PART=1: for the ones before those; so .ci/run, which goes through twice, asks each of them.
-    count=$((count + 1))
-    if [ $((count % divisor)) -ne "$part" ]; then
+    # All that follows for every seventh program, for the others one run; with CHECK_DIVISOR=10 or CLI_DIVISOR=10 for
+    # every tenth. CLI_REST=yes: for all but these; so .ci/run, which goes through twice, asks each of them.
+    count=$((count + 1)) asked=$((count % divisor == divisor - 1))
+    [ -z "${CLI_REST:-}" ] || asked=$((1 - asked))
+    if [ $asked -eq 0 ]; then
         run 0 --quick --size 48x36
         cd "$root" || exit 1
         continue
@@ -209,7 +210,7 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     fi
 
     # Ctrl-C: a whole picture and exit 130, unless it was too early or all was done.
-    for seconds in 0.03 0.1 0.2 0.5 1 2 4; do
+    for seconds in 0.03 0.1 0.2 0.5 1 2 4 8 16; do
         interrupt $seconds
         [ -f big.ppm ] && break
     done
