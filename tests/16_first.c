@@ -102,7 +102,8 @@ static void test_hits(const both *b)
     check_at_most(v.other, 1, "another triangle: at an edge");
     check_at_most(v.t, 4000 * eps, "t");
     check_at_most(v.normal, 32 * eps, "first_instance_normal against normal_to_world");
-    v = compare(b, check_count(20000) < 8000 ? 8000 : check_count(20000),
+    /* Lost are 3 of 100 in double, 1 of 800 in float. */
+    v = compare(b, check_sample(20000, real_is_float ? 8000 : 1000),
                 real_is_float ? (real)1.5e5 : (real)1.5e15);
     check_at_least(v.lost, 10, "lost from afar, of %zu", v.hits);
     check_at_least(v.other, v.hits / 20, "another triangle, from afar");
