@@ -95,13 +95,13 @@ static estimate by_both(const setting *t, size_t n)
  * its variance is q (1 - q), and its error over the mean sqrt((1 - q) / q) = 2 sqrt pi / a. */
 static void test_small_lamp(void)
 {
-    size_t n = check_count(1600000);
+    size_t n = check_count(160000);
     for (int k = 0; k < 3; k++) {
         real a = k == 0 ? 1 : k == 1 ? (real)0.25 : (real)0.125;
         setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
         double q = t.truth, expected = sqrt((1 - q) / q);
         estimate d = sampled(&t, false, n, 4), l = sampled(&t, true, n, 4);
-        estimate both = by_both(&t, n / 40);
+        estimate both = by_both(&t, n / 4);
         check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
                     (double)a);
         check_close(sqrt(estimate_variance(d)) / q, expected, expected * 6 / sqrt(q * (double)n),
@@ -112,26 +112,23 @@ static void test_small_lamp(void)
     }
 }
 
-/* A wall that shines stands at the distance h on the floor. By the lamp the variance grows as
- * 1 / h^2; q is nearly 1/2, and by directions it is q (1 - q) < 1/4; mis.h keeps to the better of
- * the two. Nearer than a tenth it hangs on a few samples (24: MEASURED.md); there it is 5.09, and
- * 1,000 other seeds showed 4.2 to 6.0 of it, from .3 to .1 a factor of 9.5 or more. */
+/* A wall that shines stands at the distance h on the floor. By the lamp the mean square is, over the
+ * half plane, 1 / (6 pi h^2); q is nearly 1/2, and by directions the variance is q (1 - q) < 1/4;
+ * mis.h keeps to the better of the two. At 0.05 some 100 points of 50000 lie as near as h: they are
+ * so few that half of it is missing once in 1e7 seeds (at 0.01 they would be 4). */
 static void test_close_to_a_lamp(void)
 {
     size_t n = check_count(400000);
-    double before = 0;
     for (int k = 0; k < 3; k++) {
-        real h = k == 0 ? 1 : k == 1 ? (real)0.3 : (real)0.1;
+        real h = k == 0 ? 1 : k == 1 ? (real)0.1 : (real)0.05;
         setting t = setting_of((rectangle){{h, -1, 0}, {0, 0, 2}, {0, 2, 0}});
         double both = estimate_variance(by_both(&t, n / 10));
         double d = estimate_variance(sampled(&t, false, n, 5));
         double l = estimate_variance(sampled(&t, true, n, 5));
         check_at_most(d, 0.26, "by directions, at %g", (double)h);
         check_at_most(both, 1.5 * (d < l ? d : l), "mis.h, at %g", (double)h);
-        if (k) check_at_least(l, 6 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
-        before = l;
+        if (k) check_at_least(l, 1 / (double)(12 * pi * h * h), "by the lamp, at %g", (double)h);
     }
-    check_at_least(before, 2.5, "by the lamp, at a tenth: ten times 1/4, and more");
 }
 
 /* ---- the box ---- */
