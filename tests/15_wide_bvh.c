@@ -134,6 +134,12 @@ static void test_bounds(void)
     ray r = ray_from((vec3){0, 0, -65536}, (vec3){0, 0, 1});
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
     check_at_least(q.slack, 3 * eps * 65536, "far away: the place is off by 3 eps of the way");
+    for (int k = 0; k < 6; k++) {  /* S is the farthest coordinate of the origin, on either side */
+        ray side = ray_from(vwith(vec(0, 0, 0), k % 3, k < 3 ? 5 : -5), vec(1, 1, 1));
+        bvh8_ray_of(&w, &side, &bvh8_skip_none, &q);
+        double off = (double)(q.far_o[k % 3] - q.near_o[k % 3]) / 2;
+        check_at_least(off, 5 * (10 * u24 + 512 * eps - u24), "(15.6), S = 5, side %d", k);
+    }
 }
 
 /* Corners that are floats are taken from the blocks, others from the mesh. */
