@@ -113,9 +113,9 @@ static void test_small_lamp(void)
 }
 
 /* A wall that shines stands at the distance h on the floor. By the lamp the mean square is, over
- * the half plane, 1 / (6 pi h^2); q is nearly 1/2, and by directions the variance is q (1 - q), less
- * than 1/4; mis.h keeps to the better of the two. At 0.05 some 100 points of 50000 lie as near as h,
- * so few that half of it is missing once in 1e7 seeds (at 0.01 they would be 4). */
+ * the half plane, 1 / (6 pi h^2); q is nearly 1/2, and by directions the variance is q (1 - q),
+ * below 1/4; mis.h keeps to the better of the two. At 0.05 some 100 points of 50000 lie as near
+ * as h, so few that half of it is missing once in 1e7 seeds (at 0.01 they would be 4). */
 static void test_close_to_a_lamp(void)
 {
     size_t n = check_count(400000);
