@@ -266,6 +266,8 @@ static void test_split(void)
 {
     bvh8_bound item[16], box = {.lo = {1, 2, 3}, .minus_hi = {-2, -4, -6}};
     check_equal(bvh8_area(&box.all), 1 * 2 + 2 * 3 + 3 * 1, "half the surface of 1 x 2 x 3");
+    check_equal(bvh8_where(&box.all, 1), 2 + 4, "twice its middle");
+    check_equal(bvh8_where(&box.all, 3), 1 + 2 + 3, "its size");
     for (int i = 0; i < 16; i++) {  /* ten on the left, not in order */
         float x = (float)i / 64 + (i * 7 % 16 < 10 ? 0.0f : 0.5f);
         item[i] = (bvh8_bound){.lo = {x, 0, 0}, .minus_hi = {-x - 0.01f, -1, -1}};
