@@ -1,7 +1,8 @@
 #!/bin/sh
 # For so many minutes what `make test` does for seconds: readers are fuzzed, structures and 27's plan meet
-# random rays and scenes, means are drawn, faults strike, programs get random options. No round has the random numbers of another:
-# tests are built with RANDOM_OFFSET (random.h), so what holds for their own seeds has to hold for others, too.
+# random rays and scenes, means are drawn, faults strike, programs get random options. No round has the random
+# numbers of another: tests are built with RANDOM_OFFSET (random.h), so what holds for their own seeds has to
+# hold for others, too.
 #   MINUTES=30 sh tests/soak.sh     make soak MINUTES=30     again: MINUTES=0 OFFSET=.. TEST=27_proof sh tests/soak.sh
 # Ends with the test in hand when the time is up, after one at least. In a tree where `make` was done before.
 : "${MINUTES:=10}" "${OFFSET:=$(date +%s)}" "${CC:=cc}" "${BUILD:=build}"
