@@ -95,13 +95,13 @@ static estimate by_both(const setting *t, size_t n)
  * its variance is q (1 - q), and its error over the mean sqrt((1 - q) / q) = 2 sqrt pi / a. */
 static void test_small_lamp(void)
 {
-    size_t n = check_count(160000);
+    size_t n = check_count(1600000);
     for (int k = 0; k < 3; k++) {
         real a = k == 0 ? 1 : k == 1 ? (real)0.25 : (real)0.125;
         setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
         double q = t.truth, expected = sqrt((1 - q) / q);
         estimate d = sampled(&t, false, n, 4), l = sampled(&t, true, n, 4);
-        estimate both = by_both(&t, n / 4);
+        estimate both = by_both(&t, n / 40);
         check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
                     (double)a);
         check_close(sqrt(estimate_variance(d)) / q, expected, expected * 6 / sqrt(q * (double)n),
