@@ -175,6 +175,9 @@ static void test_resumed(void)
     draws(room "--samples 12 --resume @part.state --save @part.state --out @more.pfm");
     check(equal_files("whole.pfm", "more.pfm") && equal_files("whole.state", "part.state"),
           "stopped after 5 and resumed: the same bytes, picture and state");
+    draws(room "--effects all --samples 2 --save @all.state --out @o.pfm");
+    ends(0, room "--effects all --samples 2 --resume @all.state --out @o.pfm", "out", "the same ");
+    check(!printed("out", "saved"), "nothing was drawn now: of no time there is no share");
     ends(0, room "--error 0.4 --out @o.pfm", "out", "error rmse 0.");
     draws(room "--time 0.05 --out @o.pfm");
     draws("@sharp.scene --size 22x17 --samples 1 --save @1.state --out @o.pfm");

@@ -83,9 +83,12 @@ static inline bool request_compare(const drawing *j, const image *all, const pla
         d = estimate_add(d, by);
     }
     if (whole) {
-        printf("everything %.3g s, without the plan; what %s %.3g s: %.0f %% saved\n",
-               j->pass.seconds, p->declined ? "is called for or declined" : "is called for",
-               lean.pass.seconds, (1 - lean.pass.seconds / j->pass.seconds) * 100);
+        /* Of a picture that was resumed, only the rest was drawn now, which may be nothing. */
+        double seconds = j->pass.seconds / j->pass.samples * j->samples;
+        if (j->pass.samples > 0)
+            printf("everything %.3g s, without the plan; what %s %.3g s: %.0f %% saved\n",
+                   seconds, p->declined ? "is called for or declined" : "is called for",
+                   lean.pass.seconds, (1 - lean.pass.seconds / seconds) * 100);
         if (memcmp(im.rgb, all->rgb, 3 * n * sizeof *im.rgb) == 0)
             printf("           the same picture byte for byte\n");
         else printf("           the same light by other random numbers? rmse %.3g, means differ by "
