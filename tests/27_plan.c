@@ -222,6 +222,7 @@ static void test_reasons(void)
     static const struct { const char *text; int kind; const char *why; } list[] = {
         {"indirect off\n" FLOOR BALL("Kd 1") POINT, RAY_SCATTERED, "`indirect off` (t:1)"},
         {"\n\n" FLOOR "indirect off\n" BALL("Kd 1") POINT, RAY_SCATTERED, "`indirect off` (t:7)"},
+        {BALL("Kd 0\nTr 0.5"), RAY_REFRACTED, "material 'ball' (t:3)"},
         {FLOOR POINT, RAY_TO_LAMP, "nothing in use emits light (Ke)"}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         studio s;

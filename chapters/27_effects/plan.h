@@ -162,12 +162,13 @@ static inline plan_words plan_name(const plan_facts *q, plan_group g, material_k
     return w;
 }
 
-/* Of a part; glass that is rough says so, and not Ns. */
+/* Of a part; rough glass says so, and not Ns; where illum is not said, d lets light through. */
 static inline plan_words plan_part_name(const plan_facts *q, plan_part part, material_key key)
 {
     plan_group g = q->has[part];
     bool rough = part == PART_GLOSSY && g.n && q->look[g.first].rough > 0;
-    return plan_name(q, g, rough ? KEY_ROUGHNESS : key);
+    bool thin = part == PART_THROUGH && g.n && q->s->material[g.first].illum < 0;
+    return plan_name(q, g, rough ? KEY_ROUGHNESS : thin ? KEY_D : key);
 }
 
 /* What calls for light that reaches a surface: the light, and the first surface. */
