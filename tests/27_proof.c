@@ -1,7 +1,7 @@
 /* Tests of chapters/27_effects: can the plan be refuted?
  *
- * Random scenes, of all statements and both formats. The oracle is everything at every hit, by a
- * stage that was built without the plan. "Cannot occur" must hold byte for byte, since random
+ * Random scenes, of all statements and all three formats. The oracle is everything at every hit, by
+ * a stage that was built without the plan. "Cannot occur" must hold byte for byte, since random
  * numbers have names; but for the rule "one plane", where the weights of shadow rays and bounces
  * are others: there by a t-test. Then each rule is broken in turn, and these checks must notice.
  */
@@ -36,13 +36,14 @@ static void say(writing *w, const char *format, ...)
 /* The keys of a material of any illum, with what it may call for, often nothing of it. */
 static void random_keys(random_stream *r, writing *w)
 {
-    double ks = chance(r, 0.3) ? 0 : some(r, 0.1, 0.95);
+    double ks = chance(r, 0.3) ? 0 : chance(r, 0.1) ? 1 : some(r, 0.1, 0.95);
     if (chance(r, 0.8)) say(w, "illum %d\n", (int)some(r, 0, 11));
     say(w, "Kd %g\nKs %g %g %g\n", chance(r, 0.5) ? 0 : some(r, 0, 1), ks, ks, ks / 2);
-    if (chance(r, 0.7)) say(w, "Ns %g\n", chance(r, 0.3) ? 2000 : 30.0);
-    if (chance(r, 0.5)) say(w, "Ni %g\n", some(r, 0.7, 2));
+    if (chance(r, 0.7))
+        say(w, "Ns %g\n", chance(r, 0.3) ? 2000 : chance(r, 0.2) ? some(r, 0, 1) : 30.0);
+    if (chance(r, 0.5)) say(w, "Ni %g\n", chance(r, 0.1) ? 1 : some(r, 0.7, 2));
     if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
-    if (chance(r, 0.3)) say(w, "d %g\n", some(r, 0, 1));
+    if (chance(r, 0.3)) say(w, "%s %g\n", chance(r, 0.3) ? "Tr" : "d", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
     if (chance(r, 0.15)) say(w, "illum 7\nNi 1.4\nTf 0.9\nroughness %g\n", some(r, 0, 0.8));
     if (chance(r, 0.3)) say(w, "priority %d\n", (int)some(r, 0, 3));
@@ -62,7 +63,14 @@ static void random_material(random_stream *r, writing *w, int number)
 static void random_shape(random_stream *r, writing *w)
 {
     double x = some(r, -2, 2), y = some(r, 0, 2), z = some(r, -2, 2), a = some(r, 0.2, 1.2);
-    switch ((int)some(r, 0, 9)) {
+    switch ((int)some(r, 0, 11)) {
+    case 10:  /* round the eye, too */
+        say(w, "sphere 0 0.8 0 %g\n", (double[]){0.3, 0.6, 1.2, 3, 7}[(int)some(r, 0, 5)]);
+        return;
+    case 9:  /* folded like a book, open towards the eye */
+        say(w, "polygon -3 -1 %g  0 -1 %g  3 -1 %g  3 3 %g  0 3 %g  -3 3 %g\n", z, z - 3, z, z,
+            z - 3, z);
+        return;
     case 8:
         say(w, "solid %s difference(sphere %g %g %g %g, box %g %g -9 9 9 9)\n",
             chance(r, 0.5) ? "red" : "chrome", x, y, z, a, x, y);
@@ -109,10 +117,10 @@ static void random_light(random_stream *r, writing *w, proof_said *said)
 static proof_said random_scene(random_stream *r, writing *w)
 {
     proof_said said = {false, false, false};
-    double far = some(r, 1, 6);
+    double near = chance(r, 0.8) ? 0 : some(r, 0, 4), far = some(r, 1, 6);
     if (chance(r, 0.2)) say(w, "up y\n");
-    say(w, "camera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\n"
-        "material red\nKd 0.7 0.1 0.1\n", far);
+    say(w, "camera from 0 1 %g at 0 0.8 0 angle 45 hither %g\nmtl library.mtl\n"
+        "material red\nKd 0.7 0.1 0.1\n", far, near);
     random_light(r, w, &said);
     if (chance(r, 0.1)) say(w, "nff lit.nff\n");
     for (int k = 0, m = (int)some(r, 0, 5); k < m; k++)
@@ -124,8 +132,8 @@ static proof_said random_scene(random_stream *r, writing *w)
 /* All statements of NFF; light by `l` alone. */
 static void random_nff(random_stream *r, writing *w)
 {
-    say(w, "v\nfrom 0 1 %g\nat 0 0.8 0\nup 0 1 0\nangle 45\nhither 0\nresolution 8 6\n",
-        some(r, 2, 6));
+    say(w, "v\nfrom 0 1 %g\nat 0 0.8 0\nup 0 1 0\nangle 45\nhither %g\nresolution 8 6\n",
+        some(r, 2, 6), chance(r, 0.8) ? 0 : some(r, 0, 4));
     if (chance(r, 0.5)) say(w, "b 0.1 0.3 0.5\n");
     if (chance(r, 0.8)) say(w, "l 1 4 3\n");
     if (chance(r, 0.3)) say(w, "l -2 4 3 %g 0.5 0.5\n", some(r, 0, 1));
@@ -134,13 +142,53 @@ static void random_nff(random_stream *r, writing *w)
         double ior = some(r, 1, 2), T = chance(r, 0.7) ? 0 : some(r, 0, 1), shine = some(r, 1, 50);
         double ks = chance(r, 0.5) ? 0 : some(r, 0, 1), kd = chance(r, 0.3) ? 0 : some(r, 0, 1);
         say(w, "f 0.9 0.5 %g %g %g %g %g %g\n", some(r, 0, 1), kd, ks, shine, T, ior);
-        switch ((int)some(r, 0, 4)) {
-        case 0: say(w, "s %g 0.5 %g 0.5\n", x, z); break;
+        switch ((int)some(r, 0, 5)) {
+        case 4: say(w, "p 5 %g 0 %g 1 1 0 1 %g 1 0 2 1 -1 1 %g\n", x, z, -x, z); break;  /* bent */
+        case 0: say(w, "s %g 0.5 %g %g\n", x, z, chance(r, 0.2) ? -2 : 0.5); break;
         case 1: say(w, "c %g 0 %g 0.5 %g 1 %g 0.1\n", x, z, x, z); break;
         case 2: say(w, "p 4 -9 0 9 9 0 9 9 0 -9 -9 0 -9\n"); break;
         case 3: say(w, "pp 3 %g 0 %g 0 0 1 1 0 %g 0 0 1 0 2 %g 0 0.1 1\n", x, z, z, z); break;
         }
     }
+}
+
+/* A closed block, but for what its faces may be made of instead. */
+static void random_block(random_stream *r, writing *w, int materials)
+{
+    static const char *const face[6] = {"-8 -4 -2 -6", "-7 -5 -1 -3", "-8 -7 -3 -4",
+                                        "-6 -2 -1 -5", "-8 -6 -5 -7", "-4 -3 -1 -2"};
+    double x = some(r, -2, 2), y = some(r, 0, 2), z = some(r, -2, 2), a = some(r, 0.2, 1);
+    for (int k = 0; k < 8; k++)
+        say(w, "v %.9g %.9g %.9g\n", x + (k & 1 ? a : -a), y + (k & 2 ? a : -a),
+            z + (k & 4 ? a : -a));
+    for (int k = 0; k < 6; k++) {
+        if (chance(r, 0.1)) say(w, "usemtl m%d\n", (int)some(r, 0, materials));
+        say(w, "f %s\n", face[k]);
+    }
+}
+
+/* OBJ with a library, which is put before it; light by Ke, and as the command line says. */
+static studio_words random_obj(random_stream *r, writing *w, proof_said *said)
+{
+    studio_words words = {.camera = "from 0 1 5 at 0 0.8 0"};
+    int m = 1 + (int)some(r, 0, 4);
+    for (int k = 0; k < m; k++)
+        say(w, "newmtl m%d\nKa 1\nmap_Kd a.png\n", k), random_keys(r, w);
+    put("random.mtl", w->text);
+    size_t begin = w->n;
+    say(w, "mtllib random.mtl\n");
+    for (int k = (int)some(r, 0, 5); k >= 0; k--) {
+        if (chance(r, 0.9)) say(w, "usemtl %s%d\n", chance(r, 0.1) ? "none" : "m",
+                                (int)some(r, 0, m));
+        if (chance(r, 0.7)) random_block(r, w, m);
+        else say(w, "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -9\nf -4 -3 -2 -1\n");
+    }
+    put("random.obj", w->text + begin);
+    if (chance(r, 0.3)) said->own = true, words.light = "at 1 4 3 colour 40";
+    if (chance(r, 0.2)) said->own = true, words.environment = "0.3 1";
+    if (chance(r, 0.2)) words.lens = "radius 0.1";
+    if (chance(r, 0.2)) said->off = true, words.indirect = "off";
+    return words;
 }
 
 /* ---- one scene, judged ---- */
@@ -152,7 +200,6 @@ typedef struct {
     int samples;
     bool drawn;
     proof_said said;
-    bool nff;
 } proof;
 
 static bool proof_begin(proof *q, size_t number, char *text)
@@ -162,12 +209,15 @@ static bool proof_begin(proof *q, size_t number, char *text)
     failure f = {0, ""};
     studio_view v;
     camera c;
-    *q = (proof){.nff = number % 5 == 4, .samples = 2};
-    if (q->nff) random_nff(&r, &w);
+    *q = (proof){.samples = 2};
+    studio_words words = {.camera = NULL};
+    const char *name = number % 5 == 4 ? "random.nff" : number % 5 == 3 ? "random.obj"
+                                                                       : "random.scene";
+    if (number % 5 == 4) random_nff(&r, &w);
+    else if (number % 5 == 3) words = random_obj(&r, &w, &q->said);
     else q->said = random_scene(&r, &w);
-    const char *name = q->nff ? "random.nff" : "random.scene";
-    put(name, text);
-    bool ok = read_scene(name, &q->s, &f);
+    if (number % 5 != 3) put(name, text);
+    bool ok = studio_read(in_directory(name), &words, &q->s, &f);
     if (ok && !studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) ok = false, studio_free(&q->s);
     if (ok && !effects_stage_build(&q->s, &q->e, &f)) ok = false, studio_free(&q->s);
     check(ok, "scene %zu: %s\n%s", number, f.text, text);
@@ -316,6 +366,16 @@ static bool sees_polygons_alone(const plan_facts *q, cite *line)
     return plan_flat(&bare, q->look);
 }
 
+static bool takes_all_polygons_for_planes(const plan_facts *q, cite *line)
+{
+    size_t reflecting = 0;
+    (void)line;
+    for (size_t i = 0; i < q->s->shapes; i++)
+        if (!appearance_black(&q->look[q->s->shape_material[i]]))
+            reflecting += q->s->shape[i].kind == SHAPE_POLYGON ? 1 : 2;
+    return reflecting < 2 && !q->s->places && !q->s->solids;
+}
+
 static bool looks_at_first_material(const plan_facts *q, cite *line)
 {
     (void)line;
@@ -345,6 +405,7 @@ static const struct {
         {"no lamp", EFFECT_SOFT_SHADOWS, forgets_meshes},
         {"dark", EFFECT_INDIRECT, forgets_points}, {"dark", EFFECT_INDIRECT, forgets_the_sky},
         {"one plane", EFFECT_INDIRECT, sees_polygons_alone},
+        {"one plane", EFFECT_INDIRECT, takes_all_polygons_for_planes},
         {"no mirror", EFFECT_MIRROR, looks_at_first_material},
         {"no lobe", EFFECT_GLOSSY, forgets_rough_glass}};
 
