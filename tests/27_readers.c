@@ -604,6 +604,12 @@ static void test_scene_broken(void)
     refused("x.scene", "obj empty.obj\n", "x.scene", 1, "empty.obj", "");
     put("empty.obj", "");
     refused("x.scene", "obj empty.obj\n", "x.scene", 2, "empty.obj:1: line: no face", "1 or more");
+    char star[8000];
+    int n = sprintf(star, "material m\nKe 1\npolygon");
+    for (int k = 0; k < 258; k++)
+        n += sprintf(star + n, " %.4f %.4f 0", (1 + k % 2) * cos((double)pi * k / 129),
+                     (1 + k % 2) * sin((double)pi * k / 129));
+    refused("x.scene", star, "x.scene", 2, "x.scene:2: Ke: of a concave polygon of 258", "to 256");
 }
 
 /* A box is closed and its faces look outwards: volume by the divergence theorem, also mirrored and
