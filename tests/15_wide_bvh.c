@@ -501,6 +501,47 @@ static void test_far(void)
     mesh_free(&m);
 }
 
+/* Origins and directions of any size, along axes or nearly: where a product with them overflows,
+ * a box is in doubt, and an empty place is still none. Beside every item. */
+static void test_wild(void)
+{
+    const double most = real_is_float ? 37 : 307;
+    mesh m = mesh_room(100);
+    for (size_t i = 0; i < m.triangles; i++) {
+        random_stream g = random_start(44, i, 0);
+        vec3 a = random_in_cube(&g, 1), b = random_in_cube(&g, 1), c = random_in_cube(&g, 1);
+        set_triangle(&m, i, a, b, c);
+    }
+    items x = items_of_mesh(&m);
+    size_t rays = check_count(40000), wrong[eight_dialects] = {0}, hits = 0;
+    for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++) {
+        bvh8 w;
+        bvh8_options how = bvh8_defaults;
+        how.dialect = (eight_dialect)d;
+        check(bvh8_build(&x, how, &w, NULL), "built");
+        for (size_t i = 0; i < rays; i++) {
+            random_stream g = random_start(45, i, 0);
+            real o[3], to[3];
+            for (int k = 0; k < 3; k++) {
+                double u[5];
+                for (int j = 0; j < 5; j++) u[j] = (double)random_next(&g);
+                o[k] = (real)(u[0] < 0.5 ? pow(10, most * u[1]) : u[1]);
+                to[k] = (real)(u[2] < 0.7 ? pow(10, -most * u[3]) : u[3]);
+                if (u[4] < 0.3) to[k] = -o[k];
+            }
+            ray r = ray_from((vec3){o[0], o[1], o[2]}, (vec3){to[0], to[1], to[2]});
+            hit h = hit_none, all = hit_none;
+            bool met = bvh8_hit(&w, r, &h), truth = items_hit(&x, r, &all);
+            hits += truth;
+            wrong[d] += met != truth || h.shape != all.shape || bvh8_occluded(&w, r) != truth;
+        }
+        check_equal(wrong[d], 0, "%s: any origin, any direction", dialect_name[d]);
+        bvh8_free(&w);
+    }
+    check_at_least(hits, rays / 20, "some hit");
+    mesh_free(&m);
+}
+
 /* Of three faces in a row: one that the ray starts on, a few that its end lies on, both. */
 static void test_left_out(void)
 {
@@ -580,6 +621,7 @@ int main(void)
     test_leaks();
     test_streams();
     test_far();
+    test_wild();
     test_left_out();
     test_split();
     test_sizes();

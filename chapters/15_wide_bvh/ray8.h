@@ -122,7 +122,8 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
     floats4 along = {(float)d.x, (float)d.y, (float)d.z, 1}, i = 1 / along;
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
-    q->near_o = -(o * i) - error, q->far_o = error - o * i;
+    floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
+    q->near_o = floats4_within(-p - error, FLT_MAX), q->far_o = floats4_within(error - p, FLT_MAX);
     EIGHT_UNROLL
     for (size_t k = 0; k < 3; k++) {  /* enters by the high side, three rows on, if it goes down */
         size_t below = i[k] < 0 ? 3 : 0;
