@@ -43,7 +43,8 @@ static void random_keys(random_stream *r, writing *w)
         say(w, "Ns %g\n", chance(r, 0.3) ? 2000 : chance(r, 0.2) ? some(r, 0, 1) : 30.0);
     if (chance(r, 0.5)) say(w, "Ni %g\n", chance(r, 0.1) ? 1 : some(r, 0.7, 2));
     if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
-    if (chance(r, 0.3)) say(w, "%s %g\n", chance(r, 0.3) ? "Tr" : "d", some(r, 0, 1));
+    bool tr = chance(r, 0.3);
+    if (chance(r, 0.3)) say(w, "%s %g\n", tr ? "Tr" : "d", some(r, 0, 1));
     if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
     if (chance(r, 0.15)) say(w, "illum 7\nNi 1.4\nTf 0.9\nroughness %g\n", some(r, 0, 0.8));
     if (chance(r, 0.3)) say(w, "priority %d\n", (int)some(r, 0, 3));
@@ -132,8 +133,9 @@ static proof_said random_scene(random_stream *r, writing *w)
 /* All statements of NFF; light by `l` alone. */
 static void random_nff(random_stream *r, writing *w)
 {
-    say(w, "v\nfrom 0 1 %g\nat 0 0.8 0\nup 0 1 0\nangle 45\nhither %g\nresolution 8 6\n",
-        some(r, 2, 6), chance(r, 0.8) ? 0 : some(r, 0, 4));
+    double far = some(r, 2, 6), near = chance(r, 0.8) ? 0 : some(r, 0, 4);
+    say(w, "v\nfrom 0 1 %g\nat 0 0.8 0\nup 0 1 0\nangle 45\nhither %g\nresolution 8 6\n", far,
+        near);
     if (chance(r, 0.5)) say(w, "b 0.1 0.3 0.5\n");
     if (chance(r, 0.8)) say(w, "l 1 4 3\n");
     if (chance(r, 0.3)) say(w, "l -2 4 3 %g 0.5 0.5\n", some(r, 0, 1));
@@ -178,8 +180,8 @@ static studio_words random_obj(random_stream *r, writing *w, proof_said *said)
     size_t begin = w->n;
     say(w, "mtllib random.mtl\n");
     for (int k = (int)some(r, 0, 5); k >= 0; k--) {
-        if (chance(r, 0.9)) say(w, "usemtl %s%d\n", chance(r, 0.1) ? "none" : "m",
-                                (int)some(r, 0, m));
+        const char *kind = chance(r, 0.1) ? "none" : "m";
+        if (chance(r, 0.9)) say(w, "usemtl %s%d\n", kind, (int)some(r, 0, m));
         if (chance(r, 0.7)) random_block(r, w, m);
         else say(w, "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -9\nf -4 -3 -2 -1\n");
     }
