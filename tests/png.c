@@ -2,7 +2,6 @@
 #include "check.h"
 #include "child.h"
 #include "inflate.h"
-#include "../common/clock.h"
 #include "../common/png.h"
 #include "../common/random.h"
 
@@ -131,25 +130,6 @@ static void test_window(void)
     free(rgb);
 }
 
-static void test_time(void)
-{
-    int w = 1920, h = 1080;
-    uint8_t *rgb = malloc(3 * (size_t)w * (size_t)h);
-    random_stream s = random_start(7, 8, 9);
-    for (int y = 0; y < h; y++)
-        for (int x = 0; x < w; x++)
-            for (int k = 0; k < 3; k++)
-                rgb[3 * (y * w + x) + k] =
-                    (uint8_t)((x * y >> 12) + (int)(random_next_bits(&s) % 3));
-    double start = clock_seconds();
-    FILE *out = tmpfile();
-    png_write(out, rgb, w, h);
-    double seconds = clock_seconds() - start;
-    fclose(out);
-    check_at_most(seconds, 10, "seconds for 1920 x 1080: 0.3 if all is quiet, with much room");
-    free(rgb);
-}
-
 int main(void)
 {
     test_checksums();
@@ -157,7 +137,6 @@ int main(void)
     test_chain();
     test_pictures();
     test_window();
-    test_time();
     free(file);
     return check_report("png");
 }
