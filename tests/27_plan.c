@@ -394,7 +394,8 @@ static void test_sky(void)
     s.scale = 0;
     check(!sky_lights(&s), "scaled to black it does not");
     for (int k = 0; k < 4; k++) {
-        effects_sky two = {.kind = SKY_GRADIENT, .low = {0, k & 1, 0}, .high = {0, 0, k >> 1}};
+        effects_sky two = {.kind = SKY_GRADIENT, .low = {0, (real)(k & 1), 0},
+                           .high = {0, 0, (real)(k >> 1)}};
         check_equal(sky_lights(&two), k > 0, "a gradient from dark to dark does not, %d", k);
     }
     sky_free(&s);
