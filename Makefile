@@ -188,9 +188,10 @@ soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
 	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
 	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
 
-# FULL=1: of what the programs print with --full. BENCH_ONCE: times, which nobody compares, are taken once.
+# FULL=1: of what the programs print with --full; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
+# BENCH_ONCE: times, which nobody compares, are taken once.
 pages: all
-	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" sh tests/pages.sh
+	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" KEEP="$(KEEP)" sh tests/pages.sh
 
 precision:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all

@@ -5,6 +5,7 @@
 # of that title and precision, with the same header, the same rows and the same cells, but for those that
 # are times. FULL=1: the programs run with --full, and every table must be found; otherwise those that
 # the default run prints are compared. TABLES=no: no program runs, only the form of the pages is tested.
+# KEEP, a folder by its whole path: what the programs print and their CSV are kept there, as notes.sh reads them.
 # BUILD names the directory of the programs, JOBS how many at a time.
 . tests/check.sh
 case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
@@ -138,7 +139,7 @@ names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
 run_one() {
     cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
-    "$BUILD/$1" ${FULL:+--full} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
+    "$BUILD/$1" ${FULL:+--full} ${KEEP:+--csv "$KEEP/$1.csv"} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
@@ -155,6 +156,7 @@ at_work=1
 while [ $at_work -lt "${JOBS:-2}" ]; do worker & at_work=$((at_work + 1)); done
 worker
 wait
+[ -z "${KEEP:-}" ] || cp "$scratch"/run/*.out "$KEEP"
 [ -s "$scratch/run/failed" ] && no "$(cat "$scratch/run/failed")"
 for name in $names; do
     for page in README.md MEASURED.md; do
