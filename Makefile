@@ -88,6 +88,7 @@ NUMBERS := $(foreach c,$(CHAPTERS),$(firstword $(subst _, ,$(c))))
 FIRSTS := $(patsubst chapters/%/first.c,%,$(sort $(wildcard chapters/*/first.c)))
 FIRST_NUMBERS := $(foreach c,$(FIRSTS),$(firstword $(subst _, ,$(c))))
 TESTS := $(patsubst tests/%.c,%,$(sort $(wildcard tests/*.c)))
+SCRIPTS = cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh
 TEST_NUMBERS := $(sort $(foreach t,$(TESTS),$(firstword $(subst _, ,$(t)))))
 Q := $(if $(V),,@)
 # What only builds and tests takes all cores; make's own -j goes before. Programs run one by one.
@@ -176,7 +177,7 @@ showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
-	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh $(TESTS)
+	  sh tests/run.sh $(SCRIPTS) $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
