@@ -159,8 +159,8 @@ static void test_paths(const char *text, unsigned effects)
     "material lines\nKd 0.2 0.9 0.4\nillum 0\npolygon -9 -1 -3  9 -1 -3  9 0.2 -3  -9 0.2 -3\n"
 #define GLASS_BALL "material glass\nKd 0\nNi 1.5\nillum 7\nabsorb 0.3 0.1 0.2\nsphere 0 0 0 1\n"
 #define CLEAR_BALL SEEN "material glass\nKd 0\nNi 1.5\nillum 6\nsphere 0 0 0 1\n"
-#define WAY "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 0.5\n" \
-    "sphere 0 0 0 2\n"
+#define OF_A "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 0.5\n"
+#define WAY OF_A "sphere 0 0 0 2\n"
 #define WAY_IN WAY "material b\nKd 0\nillum 6\nabsorb 2\nsphere 0 0 0 1\n"
 
 #define BLOCKS_WAY "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial table\nKd 0.5\nillum 1\n" \
@@ -182,6 +182,9 @@ static void test_bodies(void)
     test_way(WAY_IN, 1.5, 0.5 * 0.5 + 2 * 2 + 0.5 * 1);  /* begun in the outer one */
     test_way(BLOCKS_WAY, 5, 0.5 * 2 + 2 * 2), test_way(BLOCKS_WAY, 1, 0.5 * 1 + 2 * 2);
     test_way(BLOCKS_WAY, -0.5, 2 * 1.5);  /* begun in the second of two that touch, on a table */
+    /* a bubble turned inside out that touches its ball from inside, where the ray enters both */
+    test_way(WAY "sphere 0 0 1 -1\n", 5, 0.5 * 2);
+    test_way(OF_A "sphere 0 0 1 -1\nsphere 0 0 0 2\n", 5, 0.5 * 2);
     /* a ball on a table, straight through its foot: the table shows */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nNi 1.5\nTf 1\nillum 7\n"
              "sphere 0 0 0 1\nmaterial table\nKd 0\npolygon -9 -9 -1  9 -9 -1  9 9 -1  -9 9 -1\n",
