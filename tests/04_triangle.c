@@ -497,12 +497,18 @@ static void test_sliver_normals(void)
         vec3 c = random_in_cube(&g, 4 * real_epsilon);
         c = vadd(vmadd(a, d, 2 * random_next(&g) - 1), c);
         if (i % 2) b = vmadd(a, d, (real)1e-3);
+        if (i % 8 > 5) {  /* from 0, one edge so short that its square vanishes, the other long */
+            vec3 tiny = vscale(d, sqrt(real_smallest)), e = vmadd(c, a, -1);
+            a = (vec3){0, 0, 0}, c = vscale(e, sqrt(sqrt(real_largest))), b = tiny;
+            if (i % 8 == 7) b = c, c = tiny;
+        }
         vec3 s = triangle_cross(a, b, c), p = vcross(vsub(b, a), vsub(c, a));
         wide3 w = wide3_cross(wide3_sub(wide3_of(b), wide3_of(a)),
                               wide3_sub(wide3_of(c), wide3_of(a)));
         plain += s.x == p.x && s.y == p.y && s.z == p.z;
-        double l = wide_value(wide3_length(w)) * (double)vlength(s);
-        if (l == 0) continue;
+        s = vunit(s);
+        double l = wide_value(wide3_length(w));
+        if (l == 0 || vzero(s)) continue;
         worst = check_worse(worst, wide_value(wide3_length(wide3_cross(w, wide3_of(s)))) / l);
         if (wide_sign(wide3_dot(w, wide3_of(s))) < 0) worst = 2;
     }

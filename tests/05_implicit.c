@@ -197,6 +197,35 @@ static void test_double_points(void)
     check_close(up.z, 1, 1000 * pow(eps, 2.0 / 3), "a normal by differences");
 }
 
+/* 2 x^3 + x - 1 from 0 to 1: by (5.7) the first step from 0 ends at 1, where it may not go; and a
+ * plane, which one step meets: nothing else is asked. */
+static real cubic(const void *data, vec3 p) { return (void)data, (2 * p.x * p.x + 1) * p.x - 1; }
+static vec3 cubic_gradient(const void *data, vec3 p)
+{
+    return (void)data, (vec3){6 * p.x * p.x + 1, 0, 0};
+}
+static real flat_counted(const void *data, vec3 p)
+{
+    ++**(size_t *const *)data;
+    return p.x - (real)0.25;
+}
+static vec3 flat_gradient(const void *data, vec3 p) { return (void)data, (void)p, (vec3){1, 0, 0}; }
+
+static void test_newton(void)
+{
+    size_t asked = 0, *counter = &asked;
+    implicit_surface s = {.f = cubic, .gradient = cubic_gradient};
+    implicit_surface flat = {.f = flat_counted, .gradient = flat_gradient, .data = &counter};
+    ray r = ray_from(vec(0, 0, 0), vec(1, 0, 0));
+    real t = implicit_polish(&s, r, implicit_end_at(&s, r, 0), implicit_end_at(&s, r, 1));
+    double a = 0.25, b = sqrt(1 / 16.0 + 1 / 216.0);
+    check_close((double)t, cbrt(a + b) + cbrt(a - b), 2 * eps, "a cubic's root, by Cardano");
+    implicit_end from = implicit_end_at(&flat, r, 0), to = implicit_end_at(&flat, r, 1);
+    asked = 0;
+    check_equal((double)implicit_polish(&flat, r, from, to), 0.25, "a plane's");
+    check_equal(asked, 1, "by one step");
+}
+
 /* Nothing missed, nothing made up, of rays anywhere and of grazing rays; and what the naive method
  * makes of the same. */
 static void test_nothing_missed(void)
@@ -553,6 +582,7 @@ int main(void)
     test_strange_intervals();
     test_surfaces();
     test_double_points();
+    test_newton();
     test_nothing_missed();
     test_tangents();
     test_all_roots();

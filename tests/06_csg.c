@@ -943,6 +943,9 @@ static void test_refused_steps(void)
               && c.depth == 77, "refused %zu", i);
         check_text(why.text, bad[i].says, "why %zu", i);
     }
+    failure why = {0, ""};  /* refused by their number alone */
+    check(!csg_build((csg_model){s, 1, NULL, UINT32_MAX}, (csg_options){0}, &(csg){0}, &why)
+          && strstr(why.text, "too many"), "2^32 - 1 steps");
 }
 
 /* ---- depth, and memory ---- */
@@ -968,7 +971,7 @@ static void test_depth(void)
     for (int k = 0; k < 2; k++) {
         csg c = built((csg_model){s, n + 1, k ? right : left, k ? r : l}, true);
         csg_crossing *x = NULL;
-        check_equal(csg_stats(&c).depth, n, "a chain is as deep as it has cuts");
+        check_equal(c.depth, n, "a chain is as deep as it has cuts");
         size_t spans = csg_spans(&c, ray_from(vec(-1, 0, 0), vec(1, 0, 0)), &x) / 2;
         check_equal(spans, slots + 1, "spans between %zu slots", slots);
         size_t grown_before = csg_arena_grown;

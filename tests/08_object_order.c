@@ -212,6 +212,20 @@ static void test_clip(void)
     check_at_least((double)cut, 0.1 * (double)n, "edges are cut");
 }
 
+/* Corners before, in and behind the plane z = 0, all 27: one in the plane is no cut as well. */
+static void test_clip_in_plane(void)
+{
+    size_t twice = 0;
+    for (int i = 0; i < 27; i++) {
+        raster_corner p[raster_most_corners] = {{{0, 0, (real)(i % 3 - 1)}, 0, 0},
+            {{1, 0, (real)(i / 3 % 3 - 1)}, 1, 0}, {{0, 1, (real)(i / 9 - 1)}, 0, 1}};
+        int n = raster_clip(p, 3, (plane){{0, 0, 0}, {0, 0, 1}});
+        for (int a = 0; a < n; a++)
+            for (int b = 0; b < a; b++) twice += vzero(vsub(p[a].p, p[b].p));
+    }
+    check_equal(twice, 0, "corners that are there twice");
+}
+
 static void test_depths(void)
 {
     random_stream g = random_start(4, 0, 0);
@@ -505,7 +519,7 @@ int main(void)
     test_cover();
     test_rays();
     test_planes();
-    test_clip();
+    test_clip(), test_clip_in_plane();
     test_depths();
     test_shadow();
     test_mirror();

@@ -209,6 +209,15 @@ static void test_delta(void)
     check(query_delta(still, (aabb){still.o, still.o}) > 0, "a little even where all is one point");
 }
 
+/* A cell without room of its own is cut for as long as less than half of all room is gone. */
+static void test_room(void)
+{
+    size_t half = (size_t)structure_room(1000) / 2;
+    check(!structure_is_full(1000, half, 2, 1), "no room in the cell, but half of all");
+    check(structure_is_full(1000, half + 1, 2, 1), "less than half");
+    check(!structure_is_full(1000, half + 1, 1, 1), "room in the cell");
+}
+
 int main(void)
 {
     test_full_mantissa();
@@ -217,5 +226,6 @@ int main(void)
     test_known_volumes();
     test_volumes_touched();
     test_delta();
+    test_room();
     return check_report("09_shapes");
 }

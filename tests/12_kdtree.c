@@ -324,6 +324,14 @@ static void test_limits(void)
         check(kdtree_build(&x, how, &t, &f) && t.depth == depth, "depth %d is kept", depth);
         kdtree_free(&t);
     }
+    mesh row = mesh_room(40);  /* each half as large as the one before: a cell in a cell */
+    for (size_t i = 0; i < 40; i++) {
+        real s = ldexp((real)1, -(int)i);
+        set_triangle(&row, i, (vec3){s, 0, 0}, (vec3){s, s, 0}, (vec3){s, 0, s});
+    }
+    x = items_of_mesh(&row), how.depth = kdtree_most_depth;
+    check(kdtree_build(&x, how, &t, &f) && t.depth > kd_default_depth(40), "the most is allowed");
+    kdtree_free(&t), mesh_free(&row);
     kdtree none = {0};
     kdtree_free(&none);
     kdtree_free(&none);

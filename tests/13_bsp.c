@@ -238,6 +238,13 @@ static void test_refused(void)
               "options out of range, %zu: refused", i);
         bsp_free(&b);
     }
+    how[0] = how[1] = bsp_defaults;
+    how[0].candidates = 1, how[0].axis_cost = how[0].slanted_cost = 0, how[1].candidates = 10000;
+    for (size_t i = 0; i < 2; i++) {
+        bsp b;
+        check(bsp_build(&x, how[i], &b, NULL), "at the end of the range, %zu: taken", i);
+        bsp_free(&b);
+    }
     mesh_free(&m);
 }
 
@@ -299,6 +306,27 @@ static void test_copies(void)
         check(bsp_build(&x, how, &b, &f), "copies");
         structure_stats s = bsp_stats(&b);
         check_equal(s.inner, 1, "%s: one plane, as no other parts them", rule_name[how.rule]);
+        bsp_free(&b);
+    }
+    mesh_free(&m);
+}
+
+/* 16 triangles in one plane, across 8 that stand each in its own: the one cuts 8, the others 16. */
+static void test_fewest(void)
+{
+    mesh m = mesh_room(24);
+    for (size_t i = 0; i < 24; i++) {
+        real k = (real)i, x = (real)0.1 * (k - 20);
+        if (i < 16) set_triangle(&m, i, (vec3){-4, -4, 0}, (vec3){4, -4, 0}, (vec3){0, k + 4, 0});
+        else set_triangle(&m, i, (vec3){x, -1, -1}, (vec3){x, 1, -1}, (vec3){x, 0, 1});
+    }
+    items x = items_of_mesh(&m);
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        bsp_options how = bsp_defaults;
+        bsp b;
+        how.rule = BSP_FEWEST, how.depth = how.leaf = 1, how.candidates = 64, how.seed = seed;
+        check(bsp_build(&x, how, &b, NULL), "fewest, seed %d", (int)seed);
+        check_equal(b.cuts, 8, "the plane that cuts least");
         bsp_free(&b);
     }
     mesh_free(&m);
@@ -447,6 +475,7 @@ int main(void)
     test_limits();
     test_copies();
     test_same_tree();
+    test_fewest();
     test_slanted_wall();
     test_search_ends_with_its_hit();
     test_naive();

@@ -9,7 +9,6 @@
  *
  *   csg c;
  *   if (!csg_build((csg_model){solids, n, s, steps}, (csg_options){0}, &c, &why)) fail(why);
- *   csg_stats(&c)        nodes, leaves, depth, bytes
  *   csg_free(&c)         of the model only the triangles of meshes must stay so long
  *
  * Trees of any depth: nothing here calls itself. Each node has a bound (bound.h) of all that is in
@@ -45,7 +44,6 @@ typedef struct {
     size_t nodes, depth, room;  /* room: the most crossings of all leaves together */
     bool no_bounds;
 } csg;
-typedef struct { size_t nodes, leaves, depth, bytes; } csg_statistics;
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void csg_free(csg *c)
@@ -125,13 +123,6 @@ static inline bool csg_build(csg_model m, csg_options o, csg *out, failure *why)
     }
     free(size);
     return ok;
-}
-
-static inline csg_statistics csg_stats(const csg *c)
-{
-    size_t leaves = (c->nodes + 1) / 2;
-    return (csg_statistics){c->nodes, leaves, c->depth, c->nodes * sizeof *c->node
-                            + (c->solids + 1) * sizeof *c->first};
 }
 
 #endif
