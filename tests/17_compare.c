@@ -873,6 +873,12 @@ static void test_example(void)
     structure s = {"example", example_new, example_contender.hit, example_contender.occluded,
                    example_destroy, NULL};
     structure_tests(&s, check_count(600));
+    mesh none = {0};
+    items x = items_of_mesh(&none);
+    example e;
+    check(example_build(&x, (example_options){1 << 20}, &e, NULL), "of nothing");
+    check(example_stats(&e).inner == 0 && example_stats(&e).leaves == 0, "there are no nodes");
+    example_free(&e);
 }
 
 /* Options from outside reach the structure. */
