@@ -130,6 +130,7 @@ static void test_refusals(void)
         {p, p, axis_z, "equals the viewpoint"}, {o, p, o, "up (0, 0, 0):"}, {o, p, p, "parallel"},
         {o, p, vscale(p, -(real)1e10), "parallel"},
         {{0, 0, 2}, o, axis_z, "up (0, 0, 1) is parallel to the view (0, 0, -2)"},
+        {{1, 2, 3}, o, {1, 2, 3}, "view (-1, -2, -3)"},
         {p, o, {nan_, 0, 1}, "up (nan"}, {{0, inf, 0}, o, axis_z, "viewpoint (0, inf"},
         {p, {0, 0, nan_}, axis_z, "target"}, {{big, 0, 0}, {-big, 0, 0}, axis_z, "overflows"},
         {o, {0, 0, -1}, {2 * real_epsilon, 0, 1}, "parallel"}};
