@@ -873,12 +873,19 @@ static void test_example(void)
     structure s = {"example", example_new, example_contender.hit, example_contender.occluded,
                    example_destroy, NULL};
     structure_tests(&s, check_count(600));
-    mesh none = {0};
-    items x = items_of_mesh(&none);
-    example e;
-    check(example_build(&x, (example_options){1 << 20}, &e, NULL), "of nothing");
-    check(example_stats(&e).inner == 0 && example_stats(&e).leaves == 0, "there are no nodes");
-    example_free(&e);
+    for (size_t n = 0; n < 2; n++) {  /* of nothing, or of one triangle: no inner node */
+        mesh m = mesh_room(n);
+        if (n) set_triangle(&m, 0, vec(-1, -1, 0), vec(1, -1, 0), vec(0, 1, 0));
+        items x = items_of_mesh(&m);
+        example e;
+        search_work work = {0, 0, 0, 0};
+        hit h;
+        check(example_build(&x, (example_options){1 << 20}, &e, NULL), "built of %zu", n);
+        check(example_stats(&e).inner == 0 && example_stats(&e).leaves == n, "leaves of %zu", n);
+        check(example_hit_counted(&e, ray_from(vec(0, 0, 1), vec(0, 0, -1)), &h, &work) == n
+              && work.nodes == 0 && work.tests == n, "asked of %zu", n);
+        example_free(&e), mesh_free(&m);
+    }
 }
 
 /* Options from outside reach the structure. */
