@@ -182,7 +182,8 @@ static question ask_capsule(random_stream *g, int i)
     real half = exam_between(g, 2, 4), far = exam_between(g, 0, i % 3 == 2 ? 2.5 : 0.9);
     vec3 c = exam_vector(g, 3);
     q.a = vmadd(c, w, -half), q.b = vmadd(c, w, half), q.s.r = exam_between(g, 0.3, 1);
-    vec3 from = vmadd(vmadd(c, s, exam_between(g, 3, 6)), w, exam_between(g, -1, 1));
+    vec3 from = vmadd(c, s, exam_between(g, 3, 6));
+    from = vmadd(from, w, exam_between(g, -1, 1));
     vec3 aim = vmadd(vmadd(c, t, far * q.s.r), w, exam_between(g, -1, 1) * half / 3);
     q.r = ray_from(from, vscale(vsub(aim, from), exam_between(g, 0.1, 3)));
     return q;

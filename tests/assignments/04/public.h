@@ -162,8 +162,8 @@ static question ask_quad(random_stream *g, int i)
     else if (!in) v = v < 0.5 ? -v / 4 - (real)0.01 : 1 + v / 4;
     p = vadd(vadd(vscale(q.a, (1 - u) * (1 - v)), vscale(q.b, u * (1 - v))),
              vadd(vscale(q.c, u * v), vscale(q.d, (1 - u) * v)));
-    vec3 from = vadd(vadd(p, vscale(n, exam_between(g, 1, 4) * (i % 3 ? 1 : -1))),
-                     vscale(s, exam_between(g, -2, 2)));
+    vec3 from = vadd(p, vscale(n, exam_between(g, 1, 4) * (i % 3 ? 1 : -1)));
+    from = vadd(from, vscale(s, exam_between(g, -2, 2)));
     real stretch = exam_between(g, 0.1, 3);
     q.r = ray_from(from, vscale(vsub(p, from), stretch));
     q.is_due = in, q.due = (hit){1 / stretch, u, v, 0};

@@ -138,7 +138,8 @@ static question ask_turned(random_stream *g, int i)
     for (int j = 1; j < 3; j++)
         at = vmadd(at, axis[(k + j) % 3],
                    vaxis(q.box.half, (k + j) % 3) * exam_between(g, -0.95, 0.95));
-    vec3 off = vadd(vscale(axis[k], side * exam_between(g, 0.8, 3)), exam_vector(g, 0.4));
+    vec3 off = vscale(axis[k], side * exam_between(g, 0.8, 3));
+    off = vadd(off, exam_vector(g, 0.4));
     q.t = 1 / stretch, q.n = vscale(axis[k], side), q.is_due = i % 4 != 3;
     if (!q.is_due) {
         do m = vunit(exam_vector(g, 1)); while (vzero(m));
@@ -146,7 +147,8 @@ static question ask_turned(random_stream *g, int i)
                    + fabs(vdot(m, w)) * q.box.half.z;
         vbasis(m, &off, &s);
         off = vadd(off, s);
-        at = vmadd(vscale(off, exam_between(g, -1, 1)), m, reach + exam_between(g, 1e-6, 0.5));
+        at = vscale(off, exam_between(g, -1, 1));
+        at = vmadd(at, m, reach + exam_between(g, 1e-6, 0.5));
     }
     at = vadd(at, q.box.c);
     q.r = ray_from(vadd(at, off), vscale(off, -stretch));

@@ -22,11 +22,10 @@ static question ask_samples_few(random_stream *g, int i)
 static question ask_linear_ends(random_stream *g, int i)
 {
     question q = ask_linear(g, i);
+    real off = exam_between(g, -1, 1);
     switch (i % 5) {
     case 0: q.b = q.a; break;
-    case 1:
-        q.b = q.a * (1 + ldexp(exam_between(g, -1, 1), -(int)(random_next_bits(g) % 50)));
-        break;
+    case 1: q.b = q.a * (1 + ldexp(off, -(int)(random_next_bits(g) % 50))); break;
     case 2: q.a = 0; break;
     case 3: q.b = 0; break;
     case 4: q.u = i % 2 ? 0 : 1 - real_epsilon / 2; q.a = i % 3 ? q.a : 0; break;

@@ -126,7 +126,8 @@ static question ask_room_of(random_stream *g, bool open, double most)
     q.s.eps = (real)1e-6;
     first_add_flat(&q.s, vec(-0.6, 0.9, -0.6), vec(1.2, 0, 0), vec(0, 0, 1.2), lamp);
     add_room(&q.s, m, open);
-    q.r = ray_from(exam_vector(g, 0.8), exam_vector(g, 1));
+    vec3 o = exam_vector(g, 0.8);
+    q.r = ray_from(o, exam_vector(g, 1));
     q.seed = random_next_bits(g), q.samples = 10000;
     return q;
 }
@@ -167,7 +168,8 @@ static question ask_furnace_of(random_stream *g, vec3 kd, roulette_rule rule)
     for (int k = 0; k < 6; k++) m[k].kd = kd, m[k].ke = vec(1, 2, 3);
     q.s.eps = (real)1e-6;
     add_room(&q.s, m, false);
-    q.r = ray_from(exam_vector(g, 0.8), exam_vector(g, 1));
+    vec3 o = exam_vector(g, 0.8);
+    q.r = ray_from(o, exam_vector(g, 1));
     q.rule = rule;
     q.seed = random_next_bits(g), q.samples = 10000;
     return q;
