@@ -94,7 +94,8 @@ static void closest_of_many(void)
     check_equal(normals, 0, "normals that are not unit");
     check_at_most(bent, all / 50,
                   "normals that no small triangle of hits confirms: rims, tips only");
-    for (int k = 0; k < 4; k++) check_at_least(hits[k], n / 100, "kind %d is hit", k);
+    /* triangles, the smallest, by 0.8 to 1.5 % of the rays, scene by scene */
+    for (int k = 0; k < 4; k++) check_at_least(hits[k], n / 400, "kind %d is hit", k);
 }
 
 /* Nothing sticks out of the bounds, and they are tight: the widest of many points comes close. */
@@ -348,10 +349,11 @@ static void solid_angles(void)
     check_close(solid_angle(a, b, c) + solid_angle(a, c, d), 4 * octant / 3, 8 * eps,
                 "a face of a cube");
     mesh m = torus_mesh(40);
-    check_close(winding_number(&m, vec(0.75, 0, 0)), 1, 3200 * eps,
-                "in the ring: 1, n epsilon");
-    check_close(winding_number(&m, (vec3){0, 0, 0}), 0, 3200 * eps, "in its hole: 0");
-    check_close(winding_number(&m, (vec3){100, 0, 0}), 0, 3200 * eps, "far away: 0");
+    /* 3200 triangles, each some epsilon / 2: chance adds these up like the steps of a walk */
+    double off = sqrt(3200) * eps;
+    check_close(winding_number(&m, vec(0.7, 0.2, 0.1)), 1, off, "in the ring: 1");
+    check_close(winding_number(&m, vec(0.05, -0.03, 0.01)), 0, off, "in its hole: 0");
+    check_close(winding_number(&m, vec(100, 30, -20)), 0, off, "far away: 0");
     mesh_free(&m);
 }
 
