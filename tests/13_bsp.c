@@ -311,6 +311,28 @@ static void test_copies(void)
     mesh_free(&m);
 }
 
+/* Tiles in a row, in one plane: their own plane used up, planes through edges part them all. */
+static void test_tiles(void)
+{
+    mesh m = mesh_room(8);
+    for (size_t i = 0; i < 8; i++) {
+        real x = 2 * (real)i;
+        set_triangle(&m, i, (vec3){x, 0, 0}, (vec3){x + 1, 0, 0}, (vec3){x, 1, 0});
+    }
+    items x = items_of_mesh(&m);
+    for (int k = 0; k < 2; k++) {
+        bsp_options how = bsp_defaults;
+        bsp b;
+        how.rule = k ? BSP_FEWEST : BSP_RANDOM, how.leaf = 1, how.candidates = 100;
+        check(bsp_build(&x, how, &b, NULL), "tiles");
+        structure_stats s = bsp_stats(&b);
+        check(s.references == 8 && s.leaves - s.empty == 8, "%s: each tile is alone, and whole",
+              rule_name[how.rule]);
+        bsp_free(&b);
+    }
+    mesh_free(&m);
+}
+
 /* 16 triangles in one plane, across 8 that stand each in its own: the one cuts 8, the others 16. */
 static void test_fewest(void)
 {
@@ -475,6 +497,7 @@ int main(void)
     test_limits();
     test_copies();
     test_same_tree();
+    test_tiles();
     test_fewest();
     test_slanted_wall();
     test_search_ends_with_its_hit();
