@@ -317,6 +317,16 @@ static void test_stop(void)
     check_at_most(s.references, 64 * 1000, "one place: two cuts in vain, each into eight, at most");
     mesh_free(&same_place);
 
+    /* By their boxes 20 plates are in four of eight, at any depth: 80 tests, a quarter of which is
+     * no less than 20 and the price. One thing above makes the cube higher than they lie. */
+    mesh plates = mesh_room(21);
+    for (size_t i = 0; i < 20; i++)
+        set_triangle(&plates, i, vec(-1, -1, -0.8), vec(1, -1, -0.8), vec(-1, 1, -0.8));
+    set_triangle(&plates, 20, vec(0.1, 0.1, 1), vec(0.2, 0.1, 1), vec(0.1, 0.2, 1));
+    s = stats_of(&plates, (octree_options){4, 6, true, false, (size_t)1 << 26});
+    check(s.depth == 1 && s.references == 4 * 20 + 1, "plates: one cut in vain, and no second");
+    mesh_free(&plates);
+
     /* A fan of 1000 round the middle of the cube: all cells touch all, and yet a cut helps. */
     mesh fan = mesh_room(1000);
     for (size_t i = 0; i < 1000; i++) {
