@@ -209,6 +209,59 @@ static void test_shells(void)
     tear_down(&q);
 }
 
+/* A lamp at z = 0, Ke 1, seen from z = 9 through a block of fog from x0 z0 to x1 z1, Ni 1, begun at
+ * the lens and at `hither`: the way in the fog, cut by the block, is what weakens it. */
+static void test_begins(const char *eye, double x0, double z0, double x1, double z1)
+{
+    char text[700];
+    set q;
+    double worst = 0;
+    snprintf(text, sizeof text, "%s\nindirect off\nmaterial lamp\nKe 1\n"
+             "polygon -50 -50 0  50 -50 0  50 50 0  -50 50 0\n"
+             "material fog\nKd 0\nillum 6\nabsorb 0.1\nbox %g -60 %g  %g 60 %g\n", eye, x0, z0,
+             x1, z1);
+    set_up(&q, text);
+    effects_stage_effects(&q.e, q.e.mask | EFFECTS_DICED);  /* anywhere in the pixel */
+    for (uint64_t seed = 0; seed < 200; seed++) {
+        image im;
+        dice_pixel of;
+        drawing j = {.e = &q.e, .samples = 1, .seed = seed, .width = 1, .height = 1};
+        if (!draw_image(&j, &im, 1)) abort();
+        dice_pixel_of(seed, 0, &of);
+        dice d = dice_sample(&of, 0);
+        ray r = draw_ray(&j, 0, 0, &d);
+        double from = (double)r.tmin, to = (double)(-r.o.z / r.d.z);
+        const double lo[2] = {x0, z0}, hi[2] = {x1, z1};
+        const double o[2] = {(double)r.o.x, (double)r.o.z}, v[2] = {(double)r.d.x, (double)r.d.z};
+        for (int k = 0; k < 2; k++) {
+            double a = (lo[k] - o[k]) / v[k], b = (hi[k] - o[k]) / v[k];
+            from = fmax(from, fmin(a, b)), to = fmin(to, fmax(a, b));
+        }
+        double exact = exp(-0.1 * fmax(to - from, 0) * (double)vlength(r.d));
+        worst = check_worse(worst, fabs((double)im.rgb[0] - exact));
+        image_free(&im);
+    }
+    check_at_most(worst, 1e-6 + 256 * (double)real_epsilon, "begun %s: fog from %g %g to %g %g",
+                  eye, x0, z0, x1, z1);
+    tear_down(&q);
+}
+
+#define EYE "camera from 0 0 9 at 0 0 0 angle 40"
+static void test_begins_elsewhere(void)
+{
+    test_begins(EYE, -70, 3, 70, 5), test_begins(EYE, -70, 3, 70, 20);  /* a pinhole, in both */
+    test_begins(EYE " hither 5", -70, 2, 70, 8);                        /* `hither` in a body, */
+    test_begins(EYE " hither 5", -70, -1, 70, 8);                       /* with the lamp */
+    test_begins(EYE " hither 5", -70, 5, 70, 12);                       /* eye in, beyond it out, */
+    test_begins(EYE " hither 5", -70, -1, 70, 12);                      /* both in, */
+    test_begins(EYE " hither 5", -70, 6, 70, 8);                        /* all nearer than that */
+    test_begins(EYE " hither 5", 0.4, -1, 70, 12);                      /* a wall along the view, */
+    test_begins(EYE " hither 5", -0.4, 2, 70, 8);
+    test_begins(EYE "\nlens radius 1 focus 4", 0.4, -1, 70, 20);        /* through the lens, */
+    test_begins(EYE "\nlens radius 1 focus 4", -0.4, -1, 70, 20);       /* the eye in it or not, */
+    test_begins(EYE " hither 2\nlens radius 1 focus 40", -0.4, 1, 70, 8);     /* and all at once */
+}
+
 /* ---- rough glass (27_radiance: in 26's room) ---- */
 
 #define FROSTED "material frosted\nKd 0\nNi 1.5\nillum 7\n"
@@ -438,6 +491,7 @@ int main(void)
     test_whitted();
     test_within();
     test_shells();
+    test_begins_elsewhere();
     test_furnace();
     test_smooth();
     test_rough_contact();

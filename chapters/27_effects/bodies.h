@@ -2,6 +2,7 @@
  *
  *   uint32_t to = bodies_cross(e, &faces, &in, &after, counts)     through all faces at one place
  *   media_set in = bodies_around(e, o)       of the point o; asked once, before the first ray
+ *   in = bodies_from(e, o, in, p)            of p, where rays of the eye at o begin
  *
  *        ___________                 Along a ray to infinity, a body that is left without having
  *       /  a   __   \                been entered was around its origin: here a, but not b.
@@ -48,25 +49,32 @@ static uint32_t bodies_cross(const effects_stage *e, const media_crossing *x, me
     return media_fills(e->media, after);
 }
 
+/* Through what the ray meets first, which then begins behind it; false: it meets nothing. */
+static inline bool bodies_step(const effects_stage *e, ray *r, media_set *in, media_set *after)
+{
+    effects_counts c = {.lost = 0};
+    studio_hit x;
+    touch at;
+    if (!e->near || !studio_tree_hit(&e->t, *r, &x)) return false;
+    surface s = studio_surface(&e->t, *r, x);
+    touch_at(&e->t, e->look, e->near, true, *r, x, &s, &at);
+    r->o = leave_point(s, r->d, at.more);
+    bodies_cross(e, &at.faces, in, after, &c);
+    return true;
+}
+
 static inline media_set bodies_along(const effects_stage *e, ray r)
 {
     media_set in = {0}, after = {0}, around = {0};
-    effects_counts c = {.lost = 0};
-    studio_hit x = {hit_none, 0};
-    touch at;
-    for (int k = 0; e->near && k < stage_most_faces && studio_tree_hit(&e->t, r, &x); k++) {
-        uint32_t n = in.n;
-        surface s = studio_surface(&e->t, r, x);
-        touch_at(&e->t, e->look, e->near, true, r, x, &s, &at);
-        r.o = leave_point(s, r.d, at.more);
-        bodies_cross(e, &at.faces, &in, &after, &c);
+    uint32_t n = 0;
+    for (int k = 0; k < stage_most_faces && bodies_step(e, &r, &in, &after); k++) {
         /* left, but never entered: outside all before */
         media_set left = in;
         for (left.n -= n; left.n > 0 && around.n < media_most; left.n--) {
             for (n = around.n++; n > 0; n--) around.body[n] = around.body[n - 1];
             around.body[0] = left.body[left.n - 1];
         }
-        in = after;
+        in = after, n = in.n;
     }
     return around;
 }
@@ -86,6 +94,19 @@ static inline media_set bodies_around(const effects_stage *e, vec3 o)
         all = in;
     }
     return all;
+}
+
+/* What p is in, if q is in `in`: all between them is crossed, but not a wall at p itself. */
+static inline media_set bodies_from(const effects_stage *e, vec3 q, media_set in, vec3 p)
+{
+    const vec3 d = vsub(p, q);
+    media_set after = in;
+    ray r = {q, 0, d, 1 - 64 * real_epsilon};
+    for (int k = 0; k < stage_most_faces && bodies_step(e, &r, &in, &after); k++, in = after) {
+        r.d = vsub(p, r.o);
+        if (!(vdot(r.d, d) > 0)) return after;
+    }
+    return in;
 }
 
 #endif

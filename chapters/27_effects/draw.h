@@ -43,6 +43,17 @@ effects_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
     return r;
 }
 
+/* The bodies that the ray begins in, at the lens or `hither`: the eye's, if no glass is near. */
+static inline media_set draw_in(const drawing *j, ray r)
+{
+    const effects_stage *e = j->e;
+    vec3 begin = ray_at(r, r.tmin), eye = e->eye.e;
+    const aabb between = {vmin(eye, begin), vmax(eye, begin)};
+    if (aabb_is_empty(aabb_overlap(between, e->glass)) || vzero(vsub(begin, eye)))
+        return j->around;
+    return bodies_from(e, eye, j->around, begin);
+}
+
 /* The samples of a pass, of one pixel. */
 static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x, int y,
                                     effects_counts *c)
@@ -56,7 +67,7 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
         if (!j->middle) d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
-        film_pixel_add(&sum, k, f(j->e, r, j->around, &d, c));
+        film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r), &d, c));
     }
     return sum;
 }

@@ -229,7 +229,8 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
-        b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
+        real way = x.h.t - r.tmin;  /* nothing before that: `hither` */
+        b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
     real turn = vdot(h.s.n, r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);

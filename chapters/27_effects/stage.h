@@ -50,6 +50,7 @@ typedef struct {
     appearance *look;                /* [materials] */
     brdf *lobe;                      /* [materials] white, with the material's exponent */
     touch_near *near;                /* where glass has neighbours: touch.h */
+    aabb glass;                      /* the box of all of it */
     medium *media;                   /* [materials + 1] body m + 1 is made of material m */
     light *light;
     int lights;
@@ -98,7 +99,7 @@ static inline void effects_stage_materials(effects_stage *e)
         e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
         e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
     }
-    e->near = touch_near_of(s, e->look);
+    e->near = touch_near_of(s, e->look, &e->glass);
 }
 
 static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)

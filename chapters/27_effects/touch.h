@@ -1,6 +1,7 @@
 /* touch.h: what else lies where a ray has met glass: contact.h of 19, for all that a studio holds.
  *
- *   touch_near *near = touch_near_of(&s, look)      where things of glass have neighbours; free
+ *   touch_near *near = touch_near_of(&s, look, &all)   where things of glass have neighbours; free
+ *                                                   all: the box of all glass
  *   touch_at(&t, look, near, always, r, x, &s, &c)  x, s: the face that r has met, s not turned to
  *                                                   the ray; unless `always` it is one of glass
  *     c.faces     all faces of glass at that place, to be crossed as one (19: media.h)
@@ -133,11 +134,13 @@ static inline bool touch_apart(const touch_thing *x, const touch_thing *y)
 }
 
 /* NULL: there is no glass. */
-static inline touch_near *touch_near_of(const studio *s, const appearance *look)
+static inline touch_near *touch_near_of(const studio *s, const appearance *look, aabb *box)
 {
     size_t n = s->shapes + s->places + s->solids, glass = 0;
     touch_thing *x = touch_things(s, look);
-    for (size_t i = 0; i < n; i++) glass += x[i].glass;
+    *box = aabb_empty();
+    for (size_t i = 0; i < n; i++)
+        if (x[i].glass) glass++, *box = aabb_union(*box, x[i].box);
     touch_near *near = glass ? allocate(n, sizeof *near) : NULL;
     bool all = n && glass > touch_most_pairs / n;  /* too many: as if all had neighbours */
     for (size_t i = 0; i < n && near; i++) {
