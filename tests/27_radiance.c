@@ -385,6 +385,30 @@ static void test_light(void)
            mask);
 }
 
+/* Highlights of an even sky, whatever their exponent: head on Ks (23.14); aslant, of an endless
+ * one, (wo.h) zi = cos^2 of it (23.16), 5 / Ns off. A sky of even pixels is drawn otherwise. */
+static void test_highlights(void)
+{
+    const char *const sky[] = {"1", "0.4 1.6", in_directory("even.pfm")};
+    image even = image_new(8, 4);
+    failure f;
+    for (int k = 0; k < 32; k++) image_set(&even, k % 8, k / 8, (vec3){1, 1, 1});
+    check(image_write(in_directory("even.pfm"), &even, &f), "%s", f.text);
+    image_free(&even);
+    for (int k = 0; k < 3; k++)
+        for (int ns = k == 1 ? 9 : 0; ns <= 9; ns++) {  /* a narrow lobe sees one colour */
+            char text[500];
+            double L = k == 1 ? 1.6 : 1, most = k == 1 ? 1e-4 : 0;
+            snprintf(text, sizeof text, "camera from 0 5 0 at 0 0 0 up 0 0 1\n"
+                     "environment %s\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 1e%d\nillum 2\n"
+                     "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n", sky[k], ns);
+            expect(text, text, (double[3]){L, L / 2, L / 4}, 300 + most / (double)real_epsilon, 0);
+        }
+    expect("a narrow highlight aslant", "camera from 0 4 3 at 0 0 0\nenvironment 1\nmaterial m\n"
+           "Kd 0\nKs 1\nNs 1e9\nillum 2\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n",
+           (double[3]){0.64, 0.64, 0.64}, 300 + 1e-8 / (double)real_epsilon, 0);
+}
+
 /* A wide lamp of 300 corners, R = h = 2, straight above: n edges seen under an angle t each, in
  * planes whose normals are c = cos from the floor's: L = kd Ke n t c / (2 pi), by Lambert. */
 static void test_round_lamp(void)
@@ -504,6 +528,7 @@ int main(void)
     test_many_faces();
     test_left_out();
     test_light();
+    test_highlights();
     test_deep();
     test_round_lamp();
     test_hidden_lamp();

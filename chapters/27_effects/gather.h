@@ -7,7 +7,7 @@
  *
  *   hard shadows   each point light and sun, as 24 has them: L = f cos Le w / per          (27.8)
  *   soft shadows   one point of one lamp, likewise
- *   environment    one direction of the sky, likewise
+ *   environment    one direction of the sky, likewise; for a highlight one of its lobe beside it
  *
  * A lamp can be found by a shadow ray, and met by a ray that goes on. Where both are sent they
  * share each direction by the power heuristic (24.9); where not, w = 1. A highlight is a lobe, too
@@ -153,8 +153,10 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
     return true;
 }
 
-/* f cos w of all parts, for light from wi that was drawn with this pdf. */
-effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf)
+/* f cos w of all parts, for light from wi that was drawn with this pdf; another draw finds it for
+ * the highlight with pdf q. */
+effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
+                                    real q)
 {
     const gather_share *k = &h->k;
     real c = vdot(h->s.ns, wi);
@@ -163,7 +165,8 @@ effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, ve
     if (!vzero(k->highlight) || !vzero(k->glossy)) {
         shading_frame f = shading_frame_of(h->s.ns);
         vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
-        if (vzero(k->mirror) || !(pdf < real_infinity)) both = k->highlight;  /* else it shows it */
+        if (vzero(k->mirror) || !(pdf < real_infinity))  /* else it shows it */
+            both = vscale(k->highlight, mis_power(pdf, q));
         if (!vzero(k->glossy)) {
             real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(h->lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);
@@ -192,7 +195,7 @@ static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, rea
 
 /* (27.8), of a light, a lamp or the sky. */
 effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool lit, int kind,
-                                  const lit_draw *x)
+                                  const lit_draw *x, real q)
 {
     vec3 v = {0, 0, 0}, left;
     if ((mask & EFFECT_GLOSSY) && h->facets && lit) {
@@ -200,11 +203,29 @@ effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool
         v = vmul(gather_facets(h, mask, x->wi, &pdf), x->Le);
         v = vscale(v, mis_power(x->pdf, pdf));
     } else if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
-        v = vmul(gather_reflects(h, mask, x->wi, x->pdf), x->Le);
+        v = vmul(gather_reflects(h, mask, x->wi, x->pdf, q), x->Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     bool passes = gather_passes(h, mask, x, kind, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / x->per);
+}
+
+/* The highlight of a sky by a direction of its own lobe: one that is narrow no other draw of the
+ * sky would find. A call, as bodies_cross. */
+__attribute__((noinline))
+static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
+{
+    const sky_light *sky = &h->e->sky;
+    point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_GLOSSY);  /* it has no such branch */
+    gather_hit alone = *h;
+    lit_draw x = {.far = true, .emitter = lit_dark};
+    vec3 part, none = {0, 0, 0};
+    alone.k = (gather_share){.highlight = h->k.highlight};
+    if (!brdf_sample(h->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
+        return none;
+    x.per = x.pdf, x.Le = sky->s->kind == SKY_NONE ? none : sky_radiance(sky->s, x.wi);
+    return gather_sample(&alone, mask, true, RAY_TO_SKY, &x,
+                         sky_light_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
 }
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
@@ -218,19 +239,21 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
     for (int i = 0; mask & EFFECT_HARD_SHADOWS && i < e->lights; i++)
         if (lit_draw_light(&e->light[i], 1, h->s.p, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LIGHT, &x));
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LIGHT, &x, 0));
     if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
         if (lamps_sample(&e->lamp, h->s.p, h->s.n, u, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, &x));
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, &x, 0));
     }
     if (mask & EFFECT_ENVIRONMENT) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
         bool seen = sky_light_sample(&e->sky, h->s.ns, u, &x);
         if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
             seen = e->sky.by_picture && sky_light_sample(&e->sky, vneg(h->s.ns), u, &x);
-        if (seen)
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x));
+        bool shines = !vzero(k->highlight) && vzero(k->mirror);
+        real q = shines && seen ? brdf_pdf(h->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
+        if (seen) sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x, q));
+        if (shines) sum = vadd(sum, gather_highlight(h, mask));
     }
     return sum;
 }
