@@ -172,6 +172,20 @@ static inline real polygon_depth_in_doubt(polygon p, const ray_shear *s, real ne
     return k > 0 && k < 1 ? (1 - k) * w.left.z + k * w.right.z : nearer.z;
 }
 
+/* The same walk, edge by edge, where a plain sign says too little. */
+__attribute__((noinline, cold))
+static void polygon_in_doubt(polygon p, const ray_shear *s, bool *odd, bool *touched)
+{
+    vec3 a = shear_corner(&p.v[p.n - 1], s);
+    *odd = false;
+    for (uint32_t i = 0; i < p.n; i++) {
+        vec3 b = shear_corner(&p.v[i], s);
+        edge_side side = edge_of(a, b);
+        *odd ^= side == EDGE_CROSSES, *touched |= side == EDGE_TOUCHES;
+        a = b;
+    }
+}
+
 /* Why nothing slips: each corner has one place in the picture, and each shared edge counts the
  * same for both its polygons. Summed over all polygons of a surface, the shared edges cancel,
  * modulo 2, and what is left is the crossings of the outer border: odd, if the ray passes within.
@@ -182,16 +196,18 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     if (vzero(p.normal)) return false;  /* fewer than three corners, too */
     bool odd = false, touched = false;
     vec3 a = shear_corner(&p.v[p.n - 1], s);
-    real near = a.z, far = a.z;
+    real near = a.z, far = a.z, least = real_infinity, sum = 0;
     for (uint32_t i = 0; i < p.n; i++) {
         vec3 b = shear_corner(&p.v[i], s);
-        edge_side side = edge_of(a, b);
-        odd ^= side == EDGE_CROSSES;
-        touched |= side == EDGE_TOUCHES;
-        near = real_min(b.z, near);
-        far = real_max(b.z, far);
+        real e = a.x * b.y - a.y * b.x;  /* edge_of without a branch: each would be a coin toss */
+        bool up = b.y > 0;
+        odd ^= ((a.y > 0) != up) & ((e > 0) == up);
+        least = real_min(fabs(e), least), sum += fabs(e);
+        near = real_min(b.z, near), far = real_max(b.z, far);
         a = b;
     }
+    if (!(least > real_smallest / real_epsilon && sum <= real_largest))  /* or it touches: e = 0 */
+        polygon_in_doubt(p, s, &odd, &touched);
     if (!odd && !touched) return false;
 
     /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
