@@ -26,7 +26,7 @@ typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
 
 typedef struct {
     floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
-    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
+    whole4 near, far;                             /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz, around, tail;
     union {                                       /* its interval, and what surely lies in it */
@@ -124,12 +124,9 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
     q->near_o = floats4_within(-p - error, FLT_MAX), q->far_o = floats4_within(error - p, FLT_MAX);
-    EIGHT_UNROLL
-    for (size_t k = 0; k < 3; k++) {  /* enters by the high side, three rows on, if it goes down */
-        size_t below = i[k] < 0 ? 3 : 0;
-        q->near[k] = sizeof(float[bvh8_places]) * (k + below);
-        q->far[k] = sizeof(float[bvh8_places]) * (k + 3 - below);
-    }
+    const int32_t row = sizeof(float[bvh8_places]);  /* enters three rows on if it goes down */
+    whole4 high = (i < 0) & 3 * row;
+    q->near = (whole4){0, row, 2 * row} + high, q->far = (whole4){3 * row, 4 * row, 5 * row} - high;
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
     return true;
 }

@@ -143,8 +143,8 @@ static inline bool trace_meets_box(const bvh8_node *n, int k, const bvh8_ray *q,
     const float *from = &n->side[0][k];
     float enter = q->tmin, leave_at = limit;
     for (int axis = 0; axis < 3; axis++) {
-        float near = from[q->near[axis] / sizeof *from] * q->inverse[axis] + q->near_o[axis];
-        float far = from[q->far[axis] / sizeof *from] * q->inverse[axis] + q->far_o[axis];
+        float near = from[q->near[axis] / (int)sizeof *from] * q->inverse[axis] + q->near_o[axis];
+        float far = from[q->far[axis] / (int)sizeof *from] * q->inverse[axis] + q->far_o[axis];
         enter = near > enter ? near : enter, leave_at = far < leave_at ? far : leave_at;
     }
     return enter <= leave_at;

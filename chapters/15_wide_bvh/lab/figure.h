@@ -79,7 +79,7 @@ static inline void draw_lanes(const options *o)
     for (int k = 0; k < 8; k++) {
         float end = q.limit;
         for (int a = 0; a < 3; a++) {
-            float far = (&n->side[0][k])[q.far[a] / sizeof far];
+            float far = (&n->side[0][k])[q.far[a] / (int)sizeof far];
             end = float_min(far * q.inverse[a] + q.far_o[a], end);
         }
         exit[k] = end;

@@ -19,8 +19,8 @@ static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float 
     const float *from = &n->side[0][k];
     float begin = q->tmin, end = q->limit;
     for (int a = 0; a < 3; a++) {
-        float t0 = from[q->near[a] / sizeof *from] * q->inverse[a] + q->near_o[a];
-        float t1 = from[q->far[a] / sizeof *from] * q->inverse[a] + q->far_o[a];
+        float t0 = from[q->near[a] / (int)sizeof *from] * q->inverse[a] + q->near_o[a];
+        float t1 = from[q->far[a] / (int)sizeof *from] * q->inverse[a] + q->far_o[a];
         begin = float_max(t0, begin), end = float_min(t1, end);
     }
     *enter = begin;
