@@ -107,7 +107,7 @@ $(BUILD)/%: chapters/%/main.c $(STAMP)
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC quick/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT_MAINS)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') $(if $(filter $*,$(LIGHT_MAINS)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")

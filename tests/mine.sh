@@ -20,24 +20,26 @@ end() { echo "$1" >&2; exit 2; }
 if [ "${1:-}" != tests ]; then
     wants "${1:-}" || end "mine-${1:-}: there are mine-03 (sphere), mine-04 (triangle), mine-09 (box), mine-17 (structure)"
     file=${2:-chapters/$program/mine.h} dir=$BUILD/mine-$1 page=chapters/$program/mine.h number=$1
+    binary=${QUICK:+quick/}$program
     if [ ! -f "$file" ] || [ ! -r "$file" ]; then end "mine-$number: $file: no such file"; fi
     grep -qw "$name" "$file" || end "mine-$number: $file lacks $name; wanted is $form: see $page"
     path=$(cd "$(dirname "$file")" && pwd)/$(basename "$file")
     case $path in *[\"\\]*) end "mine-$number: $path: a path without \" and \\, please" ;; esac
-    mkdir -p "$dir/build" "$dir/images" && rm -f "$dir/$program"
-    if ! $MAKE -s --no-print-directory CC="$CC" BUILD="$dir" MINE="$path" "$dir/$program" 2>"$dir/errors"
+    mkdir -p "$dir/build" "$dir/images" && rm -f "$dir/$binary"
+    if ! $MAKE -s --no-print-directory CC="$CC" BUILD="$dir" MINE="$path" "$dir/$binary" 2>"$dir/errors"
     then
         grep -E 'error|warning' "$dir/errors" | head -n 5 >&2
         end "mine-$number: $file does not compile; wanted is $form: see $page, and all messages in $dir/errors"
     fi
     cat "$dir/errors" >&2
     shift; [ $# -eq 0 ] || shift
-    (cd "$dir" && "./$program" "$@"); status=$?
+    (cd "$dir" && "./$binary" "$@"); status=$?
     echo "   pictures and plots: $dir/images $dir/build"
     exit "$status"
 fi
 
 . tests/check.sh
+export QUICK=yes  # compiled soon rather than to be fast
 
 # tried STATUS TEXT NUMBER FILE [OPTION..]: ends with this status, and says the text
 tried() {
