@@ -182,7 +182,7 @@ static void test_double_points(void)
                 double v = (double)implicit_value(&u.s, vec(p[0], p[1], p[2]));
                 double slope = (double)vlength(implicit_gradient(&u.s, vec(p[0], p[1], p[2])));
                 if (fabs(v) < 1e-4 && slope < 1e-3) nodes++;
-                f = fmax(f, fabs(v)), gradient = fmax(gradient, slope);
+                f = check_worse(f, fabs(v)), gradient = check_worse(gradient, slope);
             }
     /* of 96, some more than once: each must be one, whichever way the pattern is turned */
     check_equal(nodes, 96, "double points, counted with their signs");

@@ -183,7 +183,7 @@ static void test_patches(void)
 /* Neighbours meet, and their normals agree: the teapot has no crease inside a part. */
 static void test_seams(void)
 {
-    real gap = 0, crease = 0;
+    double gap = 0, crease = 0;
     for (int k = 0; k < 4; k++) {
         const teapot_part *part = &teapot_parts[k];
         for (int patch = 0; patch < part->rings * part->copies; patch++)
@@ -196,8 +196,8 @@ static void test_seams(void)
                              b = teapot_patch(part, ring + on, (copy + !on) % part->copies);
                 vec3 na, nb, p = bezier_point(&a, on ? &w : &end, on ? &end : &w, &na),
                              q = bezier_point(&b, on ? &w : &begin, on ? &begin : &w, &nb);
-                gap = real_max(gap, vlength(vsub(p, q)));
-                crease = real_max(crease, vlength(vsub(na, nb)));
+                gap = check_worse(gap, (double)vlength(vsub(p, q)));
+                crease = check_worse(crease, (double)vlength(vsub(na, nb)));
             }
     }
     check_equal(gap, 0, "patches that meet share the control points of the edge, to the last bit");

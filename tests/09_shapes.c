@@ -26,7 +26,7 @@ static void test_full_mantissa(void)
         lanes_late += w.hit && g && wide_sign(wide_sub(wide_of((double)u), w.enter)) > 0;
         late += w.hit && h && wide_sign(wide_sub(wide_of((double)t), w.enter)) > 0;
         alarms += h && !w.hit;
-        if (h && !w.hit) worst = fmax(worst, -w.gap);
+        if (h && !w.hit) worst = check_worse(worst, -w.gap);
     }
     check_equal(missed, 0, "false negatives, all digits random");
     check_equal(late, 0, "t_enter behind the exact one");

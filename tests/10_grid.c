@@ -67,7 +67,7 @@ static void test_walk_keeps_its_promise(void)
                                       wide_product((double)s, (double)vaxis(a.d, k)));
                     double before = wide_value(wide_sub(wall, p));
                     double after = wide_value(wide_sub(p, end));
-                    if (s >= t) worst = fmax(worst, fmax(before, after) / D);
+                    if (s >= t) worst = check_worse(worst, check_worse(before, after) / D);
                 }
             }
             if (next <= to) walk_step(&w, next);

@@ -117,10 +117,10 @@ static void test_sides(void)
         split_plane p = plane_of_triangle(a, b, c), w = plane_of_triangle_naive(a, b, c);
         if (vzero(p.n)) continue;
         wide error = wide_sub(wide_of((double)side_of(&p, q)), side_exactly(p, q));
-        worst = fmax(worst, fabs(wide_value(error)));
+        worst = check_worse(worst, fabs(wide_value(error)));
         const vec3 corner[3] = {a, b, c};
         for (int k = 0; k < 3; k++) {
-            own = fmax(own, fabs(wide_value(side_exactly(p, corner[k]))));
+            own = check_worse(own, fabs(wide_value(side_exactly(p, corner[k]))));
             naive = fmax(naive, fabs(wide_value(side_exactly(w, corner[k]))));
         }
     }
@@ -155,7 +155,7 @@ static void test_clip(void)
             at = 1 - at;
         }
         for (size_t k = 0; k < n; k++)
-            worst = fmax(worst, fabs(wide_value(side_exactly(face, q[at][k]))));
+            worst = check_worse(worst, fabs(wide_value(side_exactly(face, q[at][k]))));
         for (int k = 0; k < 20; k++) {  /* beyond no edge of the polygon by more than r */
             if (!in[k]) continue;
             bool inside = n > 0;
@@ -204,8 +204,8 @@ static void test_cells(void)
             p.at = vdot(p.n, inside) + random_next(&g) * (real)0.2 + (real)0.1;
             cell_areas(&s, whole, &p, &back, &front);
             convex part = cell_cut(&s, whole, &p, 1), rest = cell_cut(&s, whole, &p, -1);
-            worst = fmax(worst, fabs((double)(cell_area(&s, part) - back)));
-            if (rest.faces) worst = fmax(worst, fabs((double)(cell_area(&s, rest) - front)));
+            worst = check_worse(worst, fabs((double)(cell_area(&s, part) - back)));
+            if (rest.faces) worst = check_worse(worst, fabs((double)(cell_area(&s, rest) - front)));
             whole = part;
         }
         vec3 sum = {0, 0, 0};  /* closed: the areas as vectors add up to nothing */
@@ -213,7 +213,7 @@ static void test_cells(void)
             const cell_face *f = &s.face[whole.face + k];
             sum = vadd(sum, polygon_area(s.corner + f->corner, f->corners));
         }
-        worst = fmax(worst, (double)vlength(sum));
+        worst = check_worse(worst, (double)vlength(sum));
         cells_back_to(&s, mark);
     }
     check_at_most(worst, 1000 * (double)eps, "areas as measured, as made, and of a closed surface");

@@ -213,7 +213,7 @@ static void test_area(void)
                                           vsub(t.c, p.middle));
         const vec3 *q = p.corner + x->first;
         for (uint32_t i = 0; i < x->corners; i++) {
-            off = fmax(off, fabs((double)side_of(&s, q[i])));
+            off = check_worse(off, fabs((double)side_of(&s, q[i])));
             if (i >= 2)
                 area[x->owner] += (double)vlength(vcross(vsub(q[i - 1], q[0]), vsub(q[i], q[0])));
         }
@@ -221,7 +221,7 @@ static void test_area(void)
     for (size_t i = 0; i < m.triangles; i++) {
         triangle t = mesh_triangle(&m, i);
         double whole = (double)vlength(vcross(vsub(t.b, t.a), vsub(t.c, t.a)));
-        worst = fmax(worst, fabs(area[i] - whole));
+        worst = check_worse(worst, fabs(area[i] - whole));
     }
     check_at_most(off, 64 * (double)real_epsilon * 2, "pieces stay in their plane");
     check_at_most(worst, 100 * (double)real_epsilon, "areas of pieces add up");
