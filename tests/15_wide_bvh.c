@@ -543,7 +543,8 @@ static void test_wild(void)
     mesh_free(&m);
 }
 
-/* Of three faces in a row: one that the ray starts on, a few that its end lies on, both. */
+/* Of three faces in a row, or two with a ball between: one that the ray starts on, a few that its
+ * end lies on, both. */
 static void test_left_out(void)
 {
     static const struct { bvh8_skip but; uint32_t first; } list[] = {
@@ -552,17 +553,21 @@ static void test_left_out(void)
     mesh m = mesh_room(3);
     for (size_t i = 0; i < m.triangles; i++)
         set_triangle(&m, i, (vec3){-1, -1, (real)i}, (vec3){1, -1, (real)i}, (vec3){0, 1, (real)i});
-    items x = items_of_mesh(&m);
+    shape in_row[3] = {shape_of_triangle(mesh_triangle(&m, 0)),
+                       shape_of_sphere((sphere){{0, 0, 1}, (real)0.25}),
+                       shape_of_triangle(mesh_triangle(&m, 2))};
+    scene s = {in_row, 3};
     ray r = ray_from((vec3){0, 0, -1}, (vec3){0, 0, 1});
-    for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++) {
+    for (int d = 2 * EIGHT_PLAIN; d <= 2 * (int)eight_best() + 1; d++) {
         bvh8 w;
+        items x = d % 2 ? items_of_scene(&s) : items_of_mesh(&m);
         bvh8_options how = bvh8_defaults;
-        how.dialect = (eight_dialect)d;
+        how.dialect = (eight_dialect)(d / 2);
         check(bvh8_build(&x, how, &w, NULL), "built");
         for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
             hit h = hit_none;
             bool met = bvh8_hit_but(&w, r, list[i].but, &h);
-            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d], i);
+            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d / 2], i);
             check(met == (list[i].first != no_shape)
                   && bvh8_occluded_but(&w, r, list[i].but) == met, "left out %zu: met at all", i);
         }
