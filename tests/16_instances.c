@@ -357,13 +357,13 @@ static void test_flattened_within_bound(vec3 move, real unlike)
     }
     check_at_least(hits, n / 2, "enough rays hit");
     /* A bound for the worst needle and the worst transform: what is met here is a thousandth of it,
-     * and would show if errors grew tenfold. */
+     * at borders, which few rays come so near, a third of that; it shows if errors grow tenfold. */
     check_at_most(worst, 0.02, "same triangle: across its plane, in units of the bound");
     check(worst > 1e-6, "the bound is not a million times too large: %g of it was seen", worst);
     check_at_most(worst_off, 0.02, "the pad holds every hit: off its triangle's plane, in pads");
     check(worst_off > 1e-5, "the pad is not 1e5 times too large: %g of it was seen",
           worst_off);
-    check_at_most(worst_border, 0.02, "another triangle: only near the border of the nearer one");
+    check_at_most(worst_border, 0.003, "another triangle: only near the border of the nearer one");
     check_at_most(others, hits / 2, "others: %zu of %zu", others, hits);
     bvh_mesh_free(&b), mesh_free(&flat), instances_free(&x), scene_free(&s);
     free(inverse);
