@@ -668,7 +668,8 @@ static void test_normals(void)
     mesh_smooth_normals(&m);
     for (size_t i = 0; i < 8; i++)  /* a cube's corner looks outwards, however it is sliced */
         worst = check_worse(worst, (double)vlength(vsub(m.n[i], vunit(m.v[i]))));
-    check_at_most(worst, 8 * (double)real_epsilon, "by angle: up to 6 terms, each off by an epsilon or so");
+    check_at_most(worst, 8 * (double)real_epsilon,
+                  "by angle: up to 6 terms, each off by an epsilon or so");
     vec3 n = mesh_normal(&m, 0, (real)0.25, (real)0.25);
     check_close(vlength(n), 1, 4 * real_epsilon, "interpolated normals are unit");
     mesh_free(&m);

@@ -567,7 +567,8 @@ static void test_left_out(void)
         for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
             hit h = hit_none;
             bool met = bvh8_hit_but(&w, r, list[i].but, &h);
-            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d / 2], i);
+            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d / 2],
+                        i);
             check(met == (list[i].first != no_shape)
                   && bvh8_occluded_but(&w, r, list[i].but) == met, "left out %zu: met at all", i);
         }

@@ -773,7 +773,7 @@ static void test_boxes(void)
 static void test_pad_is_needed(bool fixed)
 {
     size_t lost = 0, lost_padded = 0, hits = 0;
-    size_t rays = real_is_float ? 8000 : 2000;  /* some 15 are lost; in float there are two plates */
+    size_t rays = real_is_float ? 8000 : 2000;  /* some 15 are lost; float has two plates */
     mesh m = floors_mesh(1);
     int digits = real_is_float ? 24 : 53;
     vec3 move = {fixed ? 1000 : 0, 0, 0};
