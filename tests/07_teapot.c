@@ -202,7 +202,8 @@ static void test_seams(void)
     }
     check_equal(gap, 0, "patches that meet share the control points of the edge, to the last bit");
     check_at_most(crease, 64 * (double)real_epsilon,
-                  "slopes across an edge are parallel as published; points are rounded by half an ulp of up to 3.5, the shortest slope is 0.075");
+                  "slopes across an edge are parallel as published; points are rounded "
+                  "by half an ulp of up to 3.5, the shortest slope is 0.075");
 }
 
 /* ---- normals and orientation ---- */
