@@ -494,7 +494,7 @@ static void leave_out(const effects_stage *e, ray r, left_out *n)
     studio_but but = {child.left, studio_no_face};
     bool met = studio_tree_hit(&e->t, child.r, &all), same;
     studio_hit y = all;
-    same = met == studio_tree_hit_but(&e->t, child.r, but, &y) && y.place == all.place
+    same = met == studio_tree_hit_but(&e->t, &child.r, but, &y) && y.place == all.place
         && y.h.shape == all.h.shape && y.h.t == all.h.t && y.h.u == all.h.u && y.h.v == all.h.v;
     n->met++, n->wrong += !same, n->from += but.from.index != no_shape;
     n->kept += met && but.from.index == no_shape && all.place == x.place

@@ -83,18 +83,18 @@ static inline vec3 gather_left(const effects_stage *e, const media_set *in, real
 }
 
 /* The bodies on the side of the surface that d leads to: in front, or behind rough glass. */
-static inline const media_set *gather_in(const gather_hit *h, vec3 d)
+effects_inline const media_set *gather_in(const gather_hit *h, vec3 d)
 {
     return h->facets && h->behind && vdot(h->s.n, d) < 0 ? h->behind : &h->b->in;
 }
 
 /* What of the light comes through where nothing bends it; bodies are crossed as by other rays, but
  * for the face of one that stands where the ray begins: `in` has it already. */
-static inline vec3 gather_clear(const gather_hit *h, ray r, bool absorbs)
+static inline vec3 gather_clear(const effects_stage *e, media_set in, ray r, bool absorbs,
+                                effects_counts *c)
 {
-    const effects_stage *e = h->e;
     vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
-    media_set in = *gather_in(h, r.d), after = in;
+    media_set after = in;
     for (int k = 0; k < stage_most_faces; k++, in = after) {
         studio_hit x;
         touch at = {.opaque.h.shape = no_shape};
@@ -105,7 +105,7 @@ static inline vec3 gather_clear(const gather_hit *h, ray r, bool absorbs)
         bool body = appearance_body(a), stands = false;
         if (body) touch_at(&e->t, e->look, e->near, false, r, x, &s, &at);
         if (at.opaque.h.shape != no_shape) stands = fabs(vdot(s.n, vsub(r.o, s.p))) <= at.more;
-        if (body && !stands) bodies_cross(e, &at.faces, &in, &after, h->c);
+        if (body && !stands) bodies_cross(e, &at.faces, &in, &after, c);
         if (absorbs) left = vmul(left, gather_left(e, &in, x.h.t * vlength(r.d)));
         uint32_t inside = media_fills(e->media, &in), to = media_fills(e->media, &after);
         if (vzero(a->through) || stage_bends(e, a, body, inside, to)) break;
@@ -145,7 +145,7 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
     h->c->rays[kind]++;
     *left = (vec3){1, 1, 1};
     if ((mask & EFFECT_REFRACTION) && h->e->clear)
-        return *left = gather_clear(h, r, absorbs), !vzero(*left);
+        return *left = gather_clear(h->e, *gather_in(h, r.d), r, absorbs, h->c), !vzero(*left);
     if (studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r))) return false;
     const media_set *in = gather_in(h, r.d);
     if (absorbs && in->n)  /* all the way in one medium */

@@ -141,7 +141,8 @@ effects_inline void effects_shares(const unsigned mask, const appearance *a, vec
         k->mirror = k->through = (vec3){0, 0, 0};
     } else if (vzero(a->through)) {
         vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
-        *(vzero(a->mirror) ? &k->glossy : &k->mirror) = F;
+        if (vzero(a->mirror)) k->glossy = F;
+        else k->mirror = F;
         k->matte = vmul(k->matte, vrest(F));
     } else if (bends || !(mask & EFFECT_REFRACTION)) {  /* left out by --effects: Schlick's R */
         real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
@@ -183,20 +184,20 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
 }
 
 /* Through all faces that lie where glass was met, and the roughest of them gives its material *m.
- * False: one of them is opaque, and x, m, h are its. A call, as bodies_cross. */
+ * False: one of them is opaque, and x, m, s are its. A call, as bodies_cross. */
 __attribute__((noinline))
-static bool effects_cross(gather_hit *h, bool always, studio_hit *x, uint32_t *m, branch *b,
-                          media_set *after, uint32_t *to)
+static bool effects_cross(const effects_stage *e, bool always, studio_hit *x, uint32_t *m,
+                          surface *s, real *more, branch *b, media_set *after, uint32_t *to,
+                          effects_counts *c)
 {
-    const effects_stage *e = h->e;
     touch at;
-    touch_at(&e->t, e->look, e->near, always, b->r, *x, &h->s, &at);
-    h->more = at.more, h->c->contacts += at.asked;
+    touch_at(&e->t, e->look, e->near, always, b->r, *x, s, &at);
+    *more = at.more, c->contacts += at.asked;
     for (const media_face *k = at.faces.face; k < at.faces.face + at.faces.n; k++)
         if (k->in != k->out && e->look[k->body - 1].rough > e->look[*m].rough) *m = k->body - 1;
     if (at.opaque.h.shape == no_shape)
-        return *to = bodies_cross(e, &at.faces, &b->in, after, h->c), true;
-    at.opaque.h.t = x->h.t, *x = at.opaque, h->s = at.on;
+        return *to = bodies_cross(e, &at.faces, &b->in, after, c), true;
+    at.opaque.h.t = x->h.t, *x = at.opaque, *s = at.on;
     *m = studio_hit_material(&e->t, *x);
     return false;
 }
@@ -207,32 +208,28 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
                                 branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
-    const ray r = {{b->r.o.x, b->r.o.y, b->r.o.z}, b->r.tmin, {b->r.d.x, b->r.d.y, b->r.d.z},
-                   b->r.tmax};
     c->rays[b->kind]++;
-    if (!studio_tree_hit_but(&e->t, r, (studio_but){b->left, studio_no_face}, &x)) {
+    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
     uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
+    surface met = effects_surface(e, b->r, x);
+    real more = 0;
+    media_set after;
+    bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[m])
+        && effects_cross(e, (mask & EFFECTS_SPEND) != 0, &x, &m, &met, &more, b, &after, &to, c);
     const appearance *a = &e->look[m];
     gather_hit h;
-    surface met = effects_surface(e, r, x);
-    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = 0;
+    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = more;
     h.s = surface_copy(&met);
-    media_set after;
-    bool body = (mask & EFFECT_REFRACTION) && appearance_body(a);
-    if (body) {
-        body = effects_cross(&h, (mask & EFFECTS_SPEND) != 0, &x, &m, b, &after, &to);
-        a = &e->look[m], h.lobe = &e->lobe[m];
-    }
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
         real way = x.h.t - r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
-    real turn = vdot(h.s.n, r.d) > 0 ? -1 : 1;  /* surface_facing */
+    real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
     h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
@@ -247,7 +244,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    effects_shares(mask, a, r.d, &h.s, &at, bends, &h.k);
+    effects_shares(mask, a, b->r.d, &h.s, &at, bends, &h.k);
     rough_glass facets;
     h.facets = NULL, h.a = a, h.behind = body ? &after : NULL;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {

@@ -5,7 +5,7 @@
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
- *   studio_tree_hit_but(&t, r, but, &x), studio_tree_occluded_but(&t, r, but)    the same answers,
+ *   studio_tree_hit_but(&t, &r, but, &x), studio_tree_occluded_but(&t, r, but)    the same answers,
  *                                             sooner: r is known not to meet two faces, the one
  *                                             that it left and that of the lamp at its end
  *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
@@ -130,11 +130,12 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
 
 /* Nearer, not as near: the first keeps it. Field by field: a copy of the whole would wait for what
  * the search has just written. */
-effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
+effects_inline void studio_tree_keep(hit h, uint32_t place, real *most, bool *found,
+                                     studio_hit *out)
 {
-    if (*found && h.t == r->tmax) return;
+    if (*found && h.t == *most) return;
     *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
-    *found = true, r->tmax = h.t;
+    *found = true, *most = h.t;
 }
 
 /* What `but` says of the tree of one place. */
@@ -144,22 +145,26 @@ effects_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
     return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
 }
 
-effects_inline bool studio_tree_hit_but(const studio_tree *t, ray r, studio_but but,
+/* r up to t. */
+effects_inline ray studio_ray(const ray *r, real t) { return (ray){r->o, r->tmin, r->d, t}; }
+
+effects_inline bool studio_tree_hit_but(const studio_tree *t, const ray *r, studio_but but,
                                         studio_hit *out)
 {
     bool found = false;
+    real most = r->tmax;
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_hit_but(&t->shapes, r, studio_skip(but, no_shape), &h))
-        studio_tree_keep(h, no_shape, &r, &found, out);
+    if (t->all->n && bvh8_ask_at(&t->shapes, r, studio_skip(but, no_shape), &h, NULL))
+        studio_tree_keep(h, no_shape, &most, &found, out);
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_hit_but(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]), &h))
-            studio_tree_keep(h, t->mesh_place[k], &r, &found, out);
-    if (t->moved.n && instances_hit(&t->moved, r, &x))
-        studio_tree_keep(x.h, t->moved_place[x.instance], &r, &found, out);
+        if (bvh8_hit_but(&t->mesh[k], studio_ray(r, most), studio_skip(but, t->mesh_place[k]), &h))
+            studio_tree_keep(h, t->mesh_place[k], &most, &found, out);
+    if (t->moved.n && instances_hit(&t->moved, studio_ray(r, most), &x))
+        studio_tree_keep(x.h, t->moved_place[x.instance], &most, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
-        if (csg_hit(&t->s->solid[k].c, r, &h))
-            studio_tree_keep(h, no_shape - 1 - k, &r, &found, out);
+        if (csg_hit(&t->s->solid[k].c, studio_ray(r, most), &h))
+            studio_tree_keep(h, no_shape - 1 - k, &most, &found, out);
     return found;
 }
 
@@ -175,7 +180,7 @@ effects_inline bool studio_tree_occluded_but(const studio_tree *t, ray r, studio
 
 static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 {
-    return studio_tree_hit_but(t, r, studio_but_none, out);
+    return studio_tree_hit_but(t, &r, studio_but_none, out);
 }
 
 static inline bool studio_tree_occluded(const studio_tree *t, ray r)
