@@ -51,6 +51,7 @@ typedef struct {
 typedef struct {
     sequence_kind kind;
     uint32_t sample, samples, pair;  /* pair: the next one */
+    uint32_t reversed;               /* Sobol': the bits of sample, as owen_reversed takes them */
     uint64_t key;                    /* what all samples of the pixel share */
     random_stream own;               /* this sample's own numbers */
     const sampler_keys *keys;        /* or NULL */
@@ -61,7 +62,7 @@ typedef struct {
 static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t pixel,
                                     uint32_t sample, uint32_t samples)
 {
-    sampler s = {kind, sample, samples, 0, 0, {0, 0}, NULL};
+    sampler s = {kind, sample, samples, 0, reversed_bits(sample), 0, {0, 0}, NULL};
     if (kind <= SEQUENCE_HALTON) s.own = random_start(seed, pixel, sample);
     if (kind != SEQUENCE_RANDOM) s.key = random_start(seed, pixel, UINT64_MAX - 1).key;
     return s;
@@ -88,7 +89,7 @@ static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, ui
 {
     random_stream own = {0, 0};
     if (k->kind <= SEQUENCE_HALTON) own = random_sample(k->own, sample);
-    return (sampler){k->kind, sample, samples, 0, k->key, own, k};
+    return (sampler){k->kind, sample, samples, 0, reversed_bits(sample), k->key, own, k};
 }
 
 /* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of
@@ -101,7 +102,7 @@ static inline point2 sampler_sobol(const sampler *s, uint32_t pair)
     uint64_t key = sampler_key(s, pair);
     uint64_t axes = hashed ? s->keys->axes[pair] : random_mix(key + random_step);
     uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = s->sample;
-    if (pair > 0) x = owen_scramble(x, (uint32_t)key);
+    if (pair > 0) x = reversed_bits(owen_reversed(s->reversed, (uint32_t)key));
     uint32_t y = sobol_index_of_y(x);
     x = reversed_bits(owen_reversed(x, a)), y = reversed_bits(owen_reversed(y, b));
     return (point2){real_of_fraction(x, a), real_of_fraction(y, b)};
