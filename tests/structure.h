@@ -166,6 +166,9 @@ static inline void structure_meshes(const structure *s, size_t rays)
                    real_is_float ? (real)1e7 : (real)1e13);
     structure_mesh(s, "planes", floors_mesh(4), rays, home, 1, 0);
     structure_mesh(s, "planes, moved", floors_mesh(4), rays, off, 0.1, 0);
+    structure_mesh(s, "torus, of a few hundred floats", torus_mesh(16), rays, off,
+                   (real)1e6 * real_epsilon, 0);
+    structure_mesh(s, "planes, likewise", floors_mesh(4), rays, off, (real)1e6 * real_epsilon, 0);
     structure_mesh(s, "needles", needles(300, 1e-3), rays, home, 1, 0);
     structure_mesh(s, "teapot", teapot_mesh(3), rays, home, 3, 0);
     structure_mesh(s, "stadium", stadium_mesh(3), rays, home, 3, 0);

@@ -51,7 +51,7 @@ static inline bool example_walk(example_query *s, size_t k, size_t at, size_t n,
 static inline bool example_search(const example *e, ray r, bool any, hit *out, search_work *w)
 {
     if (e->n == 0 || !ray_is_usable(r)) return false;
-    real d = query_delta(r, e->box[0]);
+    real d = query_delta(r, e->box[0]) + real_epsilon * vlength(r.o);  /* lo - d is rounded */
     example_query s = {e, query_of(r), aabb_inverse_of(r), {d, d, d}, any};
     return example_walk(&s, 0, 0, e->n, w) && (any || query_answer(&s.q, out));
 }
