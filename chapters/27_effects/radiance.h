@@ -226,7 +226,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
-        real way = x.h.t - r.tmin;  /* nothing before that: `hither` */
+        real way = x.h.t - b->r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
     real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
