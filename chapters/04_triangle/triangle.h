@@ -25,7 +25,8 @@
  *   no area: two or three corners the same, or     no hit, normal (0,0,0): what is hit has a normal
  *     all on a line (b - a parallel to c - a)
  *   seen edge-on                                   no hit if exactly so, but one of its neighbours
- *   NaN, infinity, direction 0                     no hit, never a NaN in a hit
+ *   NaN, infinity; direction 0, or so short that   no hit, never a NaN in a hit
+ *     1 / d is infinite (5.6e-309 in double)
  *   tiny or huge (1e-300, 1e300 in double)         as any other: no epsilon anywhere
  *
  * u, v are in [0,1]; u + v <= 1 + 2 epsilon. t is a weighted mean of the depths of the corners.
