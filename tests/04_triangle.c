@@ -355,7 +355,7 @@ static void test_no_nan(void)
         h = untouched;
         if (plane_hit((plane){t.a, t.b}, r, &h)) bad_plane += isfinite(h.t) ? 0 : 1;
         else touched += !same_hit(h, untouched);
-        bool odd_ray = !vfinite(r.o) || !vfinite(r.d) || vzero(r.d);
+        bool odd_ray = !vfinite(r.o) || !vfinite(r.d) || !isfinite(1 / vaxis(r.d, vlongest(r.d)));
         bool odd_corner = !vfinite(t.a) || !vfinite(t.b) || !vfinite(t.c);
         bad += (odd_ray || odd_corner) && triangle_hit(t, r, &h);
         vec3 normal = triangle_normal(t);

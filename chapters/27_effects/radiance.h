@@ -183,22 +183,32 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
     return mask & EFFECTS_SPEND ? effects_black_last(child, n) : n;
 }
 
-/* Through all faces that lie where glass was met, and the roughest of them gives its material *m.
- * False: one of them is opaque, and x, m, s are its. A call, as bodies_cross. */
+/* What a ray has met: place and surface, its material; where it is glass, how much farther away the
+ * next ray begins (touch.h), the bodies behind it and whose medium fills them. */
+typedef struct {
+    studio_hit x;
+    uint32_t m, to;
+    surface s;
+    real more;
+    media_set after;
+} effects_met;
+
+/* Through all faces that lie where glass was met, and the roughest of them gives its material.
+ * False: one of them is opaque, and that is what was met. A call, as bodies_cross. */
 __attribute__((noinline))
-static bool effects_cross(const effects_stage *e, bool always, studio_hit *x, uint32_t *m,
-                          surface *s, real *more, branch *b, media_set *after, uint32_t *to,
+static bool effects_cross(const effects_stage *e, bool always, branch *b, effects_met *met,
                           effects_counts *c)
 {
     touch at;
-    touch_at(&e->t, e->look, e->near, always, b->r, *x, s, &at);
-    *more = at.more, c->contacts += at.asked;
+    touch_at(&e->t, e->look, e->near, always, b->r, met->x, &met->s, &at);
+    met->more = at.more, c->contacts += at.asked;
     for (const media_face *k = at.faces.face; k < at.faces.face + at.faces.n; k++)
-        if (k->in != k->out && e->look[k->body - 1].rough > e->look[*m].rough) *m = k->body - 1;
+        if (k->in != k->out && e->look[k->body - 1].rough > e->look[met->m].rough)
+            met->m = k->body - 1;
     if (at.opaque.h.shape == no_shape)
-        return *to = bodies_cross(e, &at.faces, &b->in, after, c), true;
-    at.opaque.h.t = x->h.t, *x = at.opaque, *s = at.on;
-    *m = studio_hit_material(&e->t, *x);
+        return met->to = bodies_cross(e, &at.faces, &b->in, &met->after, c), true;
+    at.opaque.h.t = met->x.h.t, met->x = at.opaque, met->s = at.on;
+    met->m = studio_hit_material(&e->t, met->x);
     return false;
 }
 
@@ -207,49 +217,48 @@ static bool effects_cross(const effects_stage *e, bool always, studio_hit *x, ui
 effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
                                 branch child[4], const dice *d, effects_counts *c)
 {
-    studio_hit x;
+    effects_met met;
     c->rays[b->kind]++;
-    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &x)) {
+    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &met.x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
-    uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
-    surface met = effects_surface(e, b->r, x);
-    real more = 0;
-    media_set after;
-    bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[m])
-        && effects_cross(e, (mask & EFFECTS_SPEND) != 0, &x, &m, &met, &more, b, &after, &to, c);
-    const appearance *a = &e->look[m];
+    uint32_t inside = 0;
+    met.m = studio_hit_material(&e->t, met.x), met.to = 0, met.more = 0;
+    met.s = effects_surface(e, b->r, met.x);
+    bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[met.m])
+        && effects_cross(e, (mask & EFFECTS_SPEND) != 0, b, &met, c);
+    const appearance *a = &e->look[met.m];
     gather_hit h;
-    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = more;
-    h.s = surface_copy(&met);
+    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[met.m], h.more = met.more;
+    h.s = surface_copy(&met.s);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
-        real way = x.h.t - b->r.tmin;  /* nothing before that: `hither` */
+        real way = met.x.h.t - b->r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
     real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
-    h.flat = studio_flat_face(&e->t, x);
+    h.flat = studio_flat_face(&e->t, met.x);
     snell at = {1, 1, 1, 1, false};
-    bool bends = body && stage_bends(e, a, body, inside, to);
-    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
-    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
-    if (body && to == inside) {  /* the same medium on both sides: no surface, but it may shine */
+    bool bends = body && stage_bends(e, a, body, inside, met.to);
+    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[met.to].ior, &at);
+    vec3 L = gather_emitted(e, mask, b, a, met.x, &h.s);
+    if (body && met.to == inside) {  /* the same medium on both sides: no surface, but it may shine */
         *sum = vadd(*sum, vmul(b->weight, L));
         if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
         if (!bends) effects_straight_on(&h, child);
-        child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
+        child->in = met.after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
     effects_shares(mask, a, b->r.d, &h.s, &at, bends, &h.k);
     rough_glass facets;
-    h.facets = NULL, h.a = a, h.behind = body ? &after : NULL;
+    h.facets = NULL, h.a = a, h.behind = body ? &met.after : NULL;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {
         facets = (rough_glass){a->rough, bends ? e->media[inside].ior : 1,
-                               bends ? e->media[to].ior : a->ior};
+                               bends ? e->media[met.to].ior : a->ior};
         h.facets = &facets;
         h.s.error += h.more, h.more = 0;  /* for shadow rays, too */
     }
