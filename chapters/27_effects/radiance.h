@@ -245,7 +245,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     bool bends = body && stage_bends(e, a, body, inside, met.to);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[met.to].ior, &at);
     vec3 L = gather_emitted(e, mask, b, a, met.x, &h.s);
-    if (body && met.to == inside) {  /* the same medium on both sides: no surface, but it may shine */
+    if (body && met.to == inside) {  /* one medium on both sides: no surface, but it may shine */
         *sum = vadd(*sum, vmul(b->weight, L));
         if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
