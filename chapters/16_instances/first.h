@@ -21,7 +21,7 @@ static inline first_instance first_instance_at(vec3 x, vec3 y, vec3 z, vec3 m)
     return (first_instance){x, y, z, m, vscale(a, 1 / det), vscale(b, 1 / det), vscale(c, 1 / det)};
 }
 
-/* O' = A (O - m), D' = A D. D' is not made unit, so that t' = t: a point of the ray has the same t
+/* o' = A (o - m), d' = A d. d' is not made unit, so that t' = t: a point of the ray has the same t
  * in the world and in the object, and hits of different instances can be compared.       (16.1) */
 static inline ray first_instance_ray(const first_instance *i, ray r)
 {
