@@ -124,7 +124,7 @@ static inline vec3 first_shade(const first_scene *s, first_point x)
 {
     vec3 L = vadd(x.m->ke, vmul(x.kd, s->ambient));
     for (int i = 0; i < s->lights; i++) {
-        /* D = L - P, so that t = 1 is the light; [eps, 1 - eps] leaves out both ends.      (1.5) */
+        /* d = q - p, so that t = 1 is the light; [eps, 1 - eps] leaves out both ends.      (1.5) */
         vec3 d = vsub(s->light[i].p, x.p), l = vunit(d);
         real cosine = vdot(x.n, l);
         if (cosine <= 0 || first_occluded(s, (ray){x.p, s->eps, d, 1 - s->eps})) continue;
