@@ -36,7 +36,7 @@ static inline real first_pi_darts(real u, real v) { return u * u + v * v < 1 ? 4
 /* f = 4 sqrt(1 - x^2) on [0,1], p = 1. Variance 32/3 - pi^2 = 0.80 */
 static inline real first_pi_uniform(real u) { return 4 * sqrt(1 - u * u); }
 
-/* A density that falls as f does, p = (4 - 2x) / 3, and x drawn from it by inversion (反演): the
+/* A density that falls as f does, p = (4 - 2x) / 3, and x drawn from it by inversion (逆变换): the
  * probability of a sample below x, P(x) = (4x - x^2) / 3, is to be u.                    (20.7) */
 static inline real first_pi_density(real x) { return (4 - 2 * x) / 3; }
 static inline real first_pi_inversion(real u) { return 2 - sqrt(4 - 3 * u); }

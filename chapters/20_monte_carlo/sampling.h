@@ -18,7 +18,7 @@
  * its cosine, if it has one) by the pdf. A pdf is a density, no probability: it may exceed 1, as
  * that of a narrow cone does.
  *
- * Three ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
+ * Three ways: inversion (逆变换), where the cumulative distribution P(x) = u can be solved for x
  * (sample_lobe, and z of all directions); transformation (变换) of a shape that is easy into one that
  * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform
  * disk lifted to the hemisphere). Those without a suffix keep neighbours of the square neighbours,
