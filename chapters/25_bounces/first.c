@@ -32,6 +32,6 @@ int main(int argc, char **argv)
         printf("    N = %2d: %7.0f\n", each, first_rays_of_branching(each, 5));
     printf("in a furnace that emits 1 and reflects half of it, after n bounces (for ever: 2):\n");
     for (int k = 0; k <= 8; k += 2) printf("    n = %d: %.4f\n", k, first_furnace(1, 0.5, k));
-    printf("here, one path a term: %ld rays, and a shadow ray a path\n", first_bounce_rays);
+    printf("here, one path a term, shadow rays included: %ld rays\n", first_bounce_rays);
     return picture_end(path, &im);
 }
