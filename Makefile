@@ -3,7 +3,7 @@
 # make run        the short book, then every chapter: draws into images/, a screen of text each    run-NN  only one
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
-# make soak       all tests with eight times the counts   MINUTES=30: half an hour of random numbers
+# make soak       all tables, and all tests with eight times the counts   MINUTES=30: half an hour of random numbers
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
@@ -186,13 +186,13 @@ endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
 soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
-	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
-	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
+	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 FULL=1 \
+	  BENCH_ONCE=1 sh tests/$(if $(MINUTES),soak.sh,run.sh pages.sh $(TESTS))
 
-# FULL=1: of what the programs print with --full; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
+# FULL=1: of what the programs print with --full, but for BRIEF=".." of them; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
 # BENCH_ONCE: times, which nobody compares, are taken once.
 pages: all
-	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" KEEP="$(KEEP)" sh tests/pages.sh
+	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" BRIEF="$(BRIEF)" KEEP="$(KEEP)" sh tests/pages.sh
 
 precision:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all
@@ -278,10 +278,10 @@ embree: $(STAMP)
 	$(Q)$(BUILD)/embree $(if $(MESH),--mesh $(MESH))
 
 # Without null, object-size and pointer-overflow: what they find AddressSanitizer stops too, where memory is touched;
-# the compiler is done sooner.
+# the compiler is done sooner; so it is without warnings, which other builds show, and with -g1, which knows lines only.
 sanitize:
-	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize MUCH_CFLAGS=-O1 test \
-	  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize=null,object-size,pointer-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer"
+	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize MUCH_CFLAGS=-O1 WARN= WARN_FIRST= test \
+	  CFLAGS="-O0 -g1 -fsanitize=address,undefined -fno-sanitize=null,object-size,pointer-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer"
 
 # One file that does not compile, or one finding, and make fails. Warnings of system headers are only counted.
 TIDY ?= $(wildcard chapters/*/main.c chapters/*/first.c tests/*.c)

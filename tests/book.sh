@@ -1,7 +1,7 @@
 #!/bin/sh
 # All pages as one file: `make book` writes build/book.html, contents on the left, formulas as MathML, pictures
 # inside. It needs pandoc; links to code lead from build/ into the tree. Exit 2: no pandoc; 1: a formula that
-# pandoc cannot read, or a picture that is not there.
+# pandoc cannot read, or a picture that is not there. PICTURES=no: pictures stay files (soon done).
 build=${1:-build}
 command -v pandoc >/dev/null 2>&1 ||
     { echo "book: pandoc is missing: install it (Debian: apt-get install pandoc)" >&2; exit 2; }

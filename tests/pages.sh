@@ -5,6 +5,7 @@
 # of that title and precision, with the same header, the same rows and the same cells, but for those that
 # are times. FULL=1: the programs run with --full, and every table must be found; otherwise those that
 # the default run prints are compared. TABLES=no: no program runs, only the form of the pages is tested.
+# BRIEF: programs that run without --full even then, and whose other tables are not asked for.
 # KEEP, a folder by its whole path: what the programs print and their CSV are kept there, as notes.sh reads them.
 # BUILD names the directory of the programs, JOBS how many at a time.
 . tests/check.sh
@@ -38,10 +39,10 @@ tables() {
         END { flush() }'
 }
 
-# differ PAGE OUTPUT [REAL]: what the page says and the output does not; with FULL also what is not printed
+# differ PAGE OUTPUT REAL [FULL]: what the page says and the output does not; with FULL also what is not printed
 differ() {
     tables "$1" >"$scratch/said"; tables "$2" >"$scratch/printed"
-    awk -F'\t' -v full="${FULL:-}" -v real="${3:-${REAL:-double}}" '
+    awk -F'\t' -v full="${4:-}" -v real="$3" '
         NR == FNR { seen[$1, $2] = seen[$1, $2] $0 "\n"; next }
         $2 != real { next }
         !(($1, $2) in seen) { if (full) print "MISSING\t" $1; next }
@@ -135,11 +136,13 @@ if shows 03_sphere row 'sphere_hit|' && ! shows 03_sphere row 'here_hit|'; then 
 # Programs cut short, or with another compiler's libm, would print other numbers.
 if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then report; exit; fi
 
+full() { case " ${BRIEF:-} " in *" $1 "*) ;; *) echo "${FULL:+--full}" ;; esac; }  # full NAME: does it run so?
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
 run_one() {
     cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
-    "$BUILD/$1" ${FULL:+--full} ${KEEP:+--csv "$KEEP/$1.csv"} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
+    # shellcheck disable=SC2046
+    "$BUILD/$1" $(full "$1") ${KEEP:+--csv "$KEEP/$1.csv"} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
@@ -161,7 +164,7 @@ wait
 for name in $names; do
     for page in README.md MEASURED.md; do
         if ! [ -f "$root/chapters/$name/$page" ] || ! [ -f "$scratch/run/$name.out" ]; then continue; fi
-        differ "$root/chapters/$name/$page" "$scratch/run/$name.out" >"$scratch/found"
+        differ "$root/chapters/$name/$page" "$scratch/run/$name.out" "${REAL:-double}" "$(full "$name")" >"$scratch/found"
         passed=$((passed + $(grep -c '^SAME' "$scratch/found")))
         while IFS='	' read -r verdict text; do
             [ "$verdict" = SAME ] || no "$name/$page: $verdict: $text"

@@ -37,6 +37,7 @@ local function picture(src)
     local full = path_of(folder, src)
     local kind = full:match('%.svg$') and 'svg+xml' or full:match('%.(%w+)$')
     if not exists(full) then io.stderr:write('[WARNING] no picture ' .. full .. '\n') return src end
+    if os.getenv('PICTURES') == 'no' then return '../' .. full end
     local data = pandoc.pipe('sh', {'-c', 'base64 <"$0" | tr -d "\\n"', full}, '')
     return 'data:image/' .. kind .. ';base64,' .. data
 end
