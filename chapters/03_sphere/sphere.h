@@ -11,6 +11,7 @@
  * precision: few rays in 1e9 from 1e6 R.
  *
  *   sphere_hit(s, r, &h)         the first root in [tmin, tmax]; from inside that is the exit
+ *   sphere_hit_if_clear(..)      SPHERE_HIT or SPHERE_MISS where one look tells; else SPHERE_DOUBT
  *   sphere_roots(s, r, &t0, &t1) both roots, entry t0 <= exit t1, behind o, too
  *   first_sphere_hit, first_sphere_roots    the textbook, of first.h; `sphere` is from there, too
  *   sphere_point(s, p)           p moved to the surface, along the line from the centre
@@ -165,29 +166,36 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
     return true;
 }
 
+typedef enum { SPHERE_MISS, SPHERE_HIT, SPHERE_DOUBT } sphere_answer;
+
 /* The first root alone, where it is clear which one that is. f is off by epsilon / 2 of itself,
  * its squares, their sums and R^2 are rounded: k = ff - rr is off by less than 2.5 epsilon
  * (ff + rr). So beyond 3 its sign is sure: outside with the centre behind, both roots are behind.
  * (Should only rounding put it there, true ca is below 4 epsilon |d| |f|, and D = ca^2 - a k < 0:
  * no root.) Then D is not needed; rays that leave this sphere are of that kind. Inside, far is the
  * one. All else as above, to the last bit. */
-static inline bool sphere_hit(sphere s, ray r, hit *out)
+static inline sphere_answer sphere_hit_if_clear(sphere s, ray r, hit *out)
 {
     sphere_terms terms = sphere_terms_of(s, r);
     double k = terms.ff - terms.rr, off = DBL_EPSILON * (terms.ff + terms.rr);
-    if (terms.fair && r.tmin == 0 && k > 3 * off && terms.ca < 0) return false;
+    if (terms.fair && r.tmin == 0 && k > 3 * off && terms.ca < 0) return SPHERE_MISS;
     sphere_look q = sphere_look_at(&terms);
     bool sure = q.sure && r.tmin == 0, inside = k < 0 && q.ca >= 0;
-    if (sure && q.D < 0) return false;
-    if (!sure || !(fabs(k) > (inside ? 3 : 8) * off)) {
-        real t0, t1;
-        return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
-    }
+    if (sure && q.D < 0) return SPHERE_MISS;
+    if (!sure || !(fabs(k) > (inside ? 3 : 8) * off)) return SPHERE_DOUBT;
     double hc = sqrt(q.D), near = q.ca - hc;
     real t = (real)((!inside && near >= 0 ? near : q.ca + hc) / q.a);                    /* (3.6) */
-    if (!(t >= 0 && t <= real_min(real_largest, r.tmax))) return false;
+    if (!(t >= 0 && t <= real_min(real_largest, r.tmax))) return SPHERE_MISS;
     *out = (hit){t, 0, 0, 0};
-    return true;
+    return SPHERE_HIT;
+}
+
+static inline bool sphere_hit(sphere s, ray r, hit *out)
+{
+    sphere_answer answer = sphere_hit_if_clear(s, r, out);
+    real t0, t1;
+    if (answer != SPHERE_DOUBT) return answer == SPHERE_HIT;
+    return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
 }
 
 static inline vec3 sphere_normal(sphere s, vec3 p)

@@ -2,6 +2,7 @@
  *
  *   eight           eight floats; + - * / work lane by lane, as on one number (GNU vectors)
  *   floats4         four of them: the three axes of a ray; floats4_within(a, most), _abs(a)
+ *   doubles4        four doubles
  *   eight_best()    the best dialect of this machine
  *
  *   what the operators do not say                plain C    AVX2, AVX-512    instructions
@@ -29,6 +30,7 @@ typedef int32_t eight_whole __attribute__((vector_size(32)));
 typedef uint32_t eight_count __attribute__((vector_size(32)));
 typedef uint64_t eight_set;
 typedef float floats4 __attribute__((vector_size(16)));
+typedef double doubles4 __attribute__((vector_size(32)));
 typedef int32_t whole4 __attribute__((vector_size(16)));
 typedef int8_t bytes16 __attribute__((vector_size(16)));
 typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;

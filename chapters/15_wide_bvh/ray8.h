@@ -68,25 +68,9 @@ static inline float bvh8_limit(const bvh8_ray *q, real t)
 eight_inline void bvh8_interval(bvh8_ray *q, const ray *r)
 {
     double a = (double)r->tmin * q->scale - q->shift, b = (double)r->tmax * q->scale - q->shift;
-    floats4 f = {(float)(a - q->slack), (float)(b + q->slack), (float)(a + q->slack),
-              (float)(b - q->slack)};
-    f = floats4_within(f, FLT_MAX);
+    doubles4 ends = (doubles4){a, b, a, b} + (doubles4){-1, 1, 1, -1} * q->slack;
+    floats4 f = floats4_within(__builtin_convertvector(ends, floats4), FLT_MAX);
     q->ends = f + floats4_abs(f) * (floats4){-0x1p-22f, 0x1p-22f, 0x1p-22f, -0x1p-22f};
-}
-
-/* What few rays need. d gets a length near 1 if it is beyond 2^+-20; t changes by that factor, and
- * by the tree's. A far origin moves along the ray to where it is nearest to 0: then S is small
- * again, and what float can tell apart with it. That place is off by 3 eps of the way, as is t.
- * False: the ray is none. */
-__attribute__((noinline, cold))
-static bool bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real *size)
-{
-    if (!ray_is_usable(*q->r)) return false;
-    real s = box_ray_scale(fabs(vaxis(*d, vlongest(*d)))), t;
-    *d = vscale(*d, 1 / s), q->scale *= (double)s, t = -vdot(*o, *d) / vdot(*d, *d);
-    if (*size > 8 && fabs(t) <= real_largest) *o = vmadd(*o, *d, t), q->shift = (double)t;
-    *size = real_max(fabs(vaxis(*o, vlongest(*o))), 1);
-    return true;
 }
 
 /* What triangles need: (4.9), from the axis along which d is longest. */
@@ -102,24 +86,21 @@ eight_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float 
     q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
 }
 
-/* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
- * was written waits for all that is under way. Sums are NaN or too large where any number is. */
-eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
+/* Rounded at once: one by one takes five instructions more. */
+eight_inline floats4 bvh8_floats(vec3 a)
 {
-    vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
-    real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
-    real way = real_max(real_max(real_max(x, y), z), 1), size = way;
-    q->r = r, q->tmax = r->tmax, q->skip = skip, q->best = hit_none;
-    q->sheared = false, q->doubts = 0;
-    q->scale = (double)w->scale, q->shift = 0;
-    if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20)
-        && !bvh8_ray_moved(q, &at, &d, &size)) return false;
+    typedef real reals4 __attribute__((vector_size(4 * sizeof(real))));
+    return __builtin_convertvector(((reals4){a.x, a.y, a.z, 1}), floats4);
+}
+
+/* What all rays need, from o and d in the frame. size: S; way: S before the origin was moved. */
+eight_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way)
+{
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
-    bvh8_interval(q, r);
+    bvh8_interval(q, q->r);
     float S = (float)size, owed = (float)(way * real_epsilon);
-    floats4 o = {(float)at.x, (float)at.y, (float)at.z, 1};
-    floats4 along = {(float)d.x, (float)d.y, (float)d.z, 1}, i = 1 / along;
+    floats4 o = bvh8_floats(at), along = bvh8_floats(d), i = 1 / along;
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
@@ -128,6 +109,38 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
     whole4 high = (i < 0) & 3 * row;
     q->near = (whole4){0, row, 2 * row} + high, q->far = (whole4){3 * row, 4 * row, 5 * row} - high;
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
+}
+
+/* What few rays need before that. d gets a length near 1 if it is beyond 2^+-20; t changes by that
+ * factor, and by the tree's. A far origin moves along the ray to where it is nearest to 0: then S
+ * is small again, and what float can tell apart with it. That place is off by 3 eps of the way, as
+ * is t. False: the ray is none. (Handed o and d, it would make all rays write them to memory.) */
+__attribute__((noinline, cold))
+static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
+{
+    vec3 o = bvh8_into(w, q->r->o), d = q->r->d;
+    if (!ray_is_usable(*q->r)) return false;
+    real way = real_max(fabs(vaxis(o, vlongest(o))), 1);
+    real s = box_ray_scale(fabs(vaxis(d, vlongest(d)))), t;
+    d = vscale(d, 1 / s), q->scale *= (double)s, t = -vdot(o, d) / vdot(d, d);
+    if (way > 8 && fabs(t) <= real_largest) o = vmadd(o, d, t), q->shift = (double)t;
+    bvh8_ray_from(w, q, o, d, real_max(fabs(vaxis(o, vlongest(o))), 1), way);
+    return true;
+}
+
+/* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
+ * was written waits for all that is under way. Sums are NaN or too large where any number is. */
+eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
+{
+    vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
+    real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
+    real way = real_max(real_max(real_max(x, y), z), 1);
+    q->r = r, q->tmax = r->tmax, q->skip = skip, q->best = hit_none;
+    q->sheared = false, q->doubts = 0;
+    q->scale = (double)w->scale, q->shift = 0;
+    if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20))
+        return bvh8_ray_moved(w, q);
+    bvh8_ray_from(w, q, at, d, way, way);
     return true;
 }
 
@@ -185,30 +198,40 @@ static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
     return q->best.shape != no_shape;
 }
 
-/* flatten: sphere_hit in here, or sphere and ray are copied to hand them over. */
-__attribute__((noinline, flatten))
-static bool bvh8_sphere(const sphere *x, uint32_t i, bvh8_ray *q)
-{
-    hit h;
-    if (sphere_hit(*x, bvh8_rest(q), &h)) bvh8_keep(q, h, i);
-    return q->best.shape != no_shape;
-}
-
-/* The same of all others. */
+/* Of a shape: true if it is hit. flatten: the test in here, or shape and ray are copied to hand
+ * them over. */
 __attribute__((noinline, flatten))
 static bool bvh8_sheared(const shape *x, uint32_t i, bvh8_ray *q)
 {
     hit h;
-    if (shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h)) bvh8_keep(q, h, i);
-    return q->best.shape != no_shape;
+    if (!shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h)) return false;
+    return bvh8_keep(q, h, i), true;
+}
+
+__attribute__((noinline, flatten, cold))
+static bool bvh8_sphere_in_doubt(const sphere *x, uint32_t i, bvh8_ray *q)
+{
+    hit h;
+    if (!sphere_hit(*x, bvh8_rest(q), &h)) return false;
+    return bvh8_keep(q, h, i), true;
+}
+
+/* Most are clear, and the test of these alone needs hardly a stack. */
+__attribute__((noinline, flatten))
+static bool bvh8_sphere(const sphere *x, uint32_t i, bvh8_ray *q)
+{
+    hit h;
+    sphere_answer answer = sphere_hit_if_clear(*x, bvh8_rest(q), &h);
+    if (answer == SPHERE_MISS) return false;
+    if (answer == SPHERE_DOUBT) return bvh8_sphere_in_doubt(x, i, q);
+    return bvh8_keep(q, h, i), true;
 }
 
 eight_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
     const bvh8_skip *but = q->skip;
-    if (i == but->from || i - but->first <= but->last - but->first)
-        return q->best.shape != no_shape;
+    if (i == but->from || i - but->first <= but->last - but->first) return false;
     return x->kind == SHAPE_SPHERE ? bvh8_sphere(&x->sphere, i, q) : bvh8_sheared(x, i, q);
 }
 

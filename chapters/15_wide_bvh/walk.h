@@ -102,32 +102,33 @@ EIGHT_INLINE bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8
     return doubt && bvh8_settle(w, q) && any;
 }
 
-/* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
- * child is one whole number: the bits of t, which rise with t, and then its own. */
-EIGHT_INLINE int EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eight *enter,
-                                  uint64_t *stack, int top)
+/* `mask` of the children, entered at `enter`, not before 0: the nearest is returned, the others go
+ * onto the stack, farthest first. There a child is one whole number: the bits of t, which rise with
+ * t, and then its own. */
+EIGHT_INLINE uint32_t EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const eight *enter,
+                                       uint64_t **top)
 {
     const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
-    int base = top, k = EIGHT(bvh8_first)(mask);
+    uint64_t *const base = *top, *end = base;
+    int k = EIGHT(bvh8_first)(mask);
     uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
     while (mask &= mask - 1) {
         k = EIGHT(bvh8_first)(mask);
         uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
         uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
         near = next < near ? next : near;
-        int j = top++;
-        for (; j > base && stack[j - 1] < far; j--) stack[j] = stack[j - 1];
-        stack[j] = far;
+        uint64_t *j = end++;
+        for (; j > base && j[-1] < far; j--) *j = j[-1];
+        *j = far;
     }
-    stack[top++] = near;
-    return top;
+    *top = end;
+    return (uint32_t)near;
 }
 
 /* True: any hit is enough, and there is one. */
 EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_work *work)
 {
-    uint64_t stack[bvh8_stack];
-    int top = 0;
+    uint64_t stack[bvh8_stack], *top = stack;
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
             const bvh8_node *n = &w->node[at];
@@ -136,18 +137,16 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
             if (work) work->nodes++;
             if (mask == 0) goto next;
             at = n->child[EIGHT(bvh8_first)(mask)];
-            if ((mask & (mask - 1)) == 0) continue;
-            top = EIGHT(bvh8_push)(n, mask, enter, stack, top);
-            at = (uint32_t)stack[--top];
+            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, enter, &top);
         }
         at &= ~bvh8_leaf;
         if (work) work->leaves++, work->tests += bvh8_held(w, at);
         if (w->block ? EIGHT(bvh8_triangles)(w, &w->block[at], q, any)
                      : bvh8_shape(w, at, q) && any) return true;
     next:
-        do if (top == 0) return false;
-        while (stack[--top] >> 32 > float_bits(q->limit));
-        at = (uint32_t)stack[top];
+        do if (top == stack) return false;
+        while (*--top >> 32 > float_bits(q->limit));
+        at = (uint32_t)*top;
     }
 }
 
@@ -156,7 +155,7 @@ static bool EIGHT(bvh8_search)(const bvh8 *w, const ray *r, const bvh8_skip *ski
                                search_work *work)
 {
     bvh8_ray q;
-    if (w->nodes == 0 || !bvh8_ray_of(w, r, skip, &q)) return false;
+    if (!bvh8_ray_of(w, r, skip, &q) || w->nodes == 0) return false;
     if (work ? EIGHT(bvh8_walk)(w, &q, !out, work) : out ? EIGHT(bvh8_walk)(w, &q, false, NULL)
         : EIGHT(bvh8_walk)(w, &q, true, NULL)) return true;
     if (q.doubts) bvh8_settle(w, &q);

@@ -4,8 +4,7 @@
 EIGHT_TARGET __attribute__((noinline))
 static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
 {
-    uint64_t stack[bvh8_stack];
-    int top = 0;
+    uint64_t stack[bvh8_stack], *top = stack;
     bvh8_ray q;
     hit best = hit_none;
     if (w->nodes == 0 || !w->block || !bvh8_ray_of(w, r, &bvh8_skip_none, &q)) return false;
@@ -35,18 +34,15 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             eight enter[bvh8_places / 8];
             mask = EIGHT(bvh8_boxes)(n, &q, enter);
             if (mask) at = n->child[EIGHT(bvh8_first)(mask)];
-            if (mask & (mask - 1)) {
-                top = EIGHT(bvh8_push)(n, mask, enter, stack, top);
-                at = (uint32_t)stack[--top];
-            }
+            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, enter, &top);
         }
         if (mask) continue;
-        do if (top == 0) {
+        do if (top == stack) {
             if (best.shape == no_shape) return false;
             best.t = (real)(((double)best.t + q.shift) / q.scale);
             *out = best;
             return true;
-        } while (stack[--top] >> 32 > float_bits(q.limit));
-        at = (uint32_t)stack[top];
+        } while (*--top >> 32 > float_bits(q.limit));
+        at = (uint32_t)*top;
     }
 }
