@@ -111,6 +111,7 @@ static inline surface surface_of_mesh(const mesh *m, hit h)
     return s;
 }
 
+__attribute__((always_inline))
 static inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
 {
     vec3 n = vunit(vsub(p, b.c));
@@ -148,6 +149,7 @@ static inline surface surface_on_other(const shape_other *s, hit h, vec3 p, real
     return (surface){p, n, n, real_epsilon * (256 * D + 2 * surface_reach(p)), 0, h.shape};
 }
 
+__attribute__((always_inline))
 static inline surface surface_of_shape(const shape *s, ray r, hit h)
 {
     vec3 p = ray_at(r, h.t);

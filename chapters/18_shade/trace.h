@@ -25,8 +25,9 @@
  *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
- *   bool met = trace_find(&t, kind, r, &payload, &x);   the same, and its hit in x (not if the
- *                                 kind asks for the first); closest_hit and miss aren't called
+ *   bool met = trace_find(&t, kind, &r, &payload, &x);   the same, and its hit in x, where r ends
+ *                                 then (neither if the kind asks for the first); closest_hit and
+ *                                 miss aren't called
  *
  * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
  * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,
@@ -80,7 +81,7 @@ static const char *const ray_kind_names[ray_kinds] = {"camera", "shadow", "refle
                                                       "refraction", "sight"};
 
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
-static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x);
+static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -107,7 +108,9 @@ static inline void world_part_free(world_part *p)
     *p = (world_part){.mask = 0};
 }
 
-/* What was hit, put back on its shape. */
+/* What was hit, put back on its shape. Never called: ray and hit, handed over as a whole right
+ * after they were written, would wait for all that is under way. */
+__attribute__((always_inline))
 static inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
 {
     const world_part *p = &t->w->part[x.part];
@@ -170,41 +173,43 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
 }
 
 __attribute__((noinline))
-static any_hit_answer trace_part_asking(const tracer *t, const ray_program *g, uint32_t k, ray r,
-                                        void *payload, hit *h)
+static any_hit_answer trace_part_asking(const tracer *t, const ray_program *g, const world_part *p,
+                                        ray r, void *payload, hit *h)
 {
+    uint32_t k = (uint32_t)(p - t->w->part);
     trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
-    trace_ask(&a, &t->w->part[k].tree);
+    trace_ask(&a, &p->tree);
     *h = a.q.best;
     return a.end ? ANY_HIT_END : a.met ? ANY_HIT_ACCEPT : ANY_HIT_IGNORE;
 }
 
-/* What is left to do after part k: nothing is met there (ignore), or *h is (accept; not if the kind
+/* What is left to do after a part: nothing is met there (ignore), or *h is (accept; not if the kind
  * asks for the first: then h is untouched), and no other part matters (end). */
 __attribute__((always_inline))
-static inline any_hit_answer trace_part(const tracer *t, const ray_program *g, uint32_t k,
+static inline any_hit_answer trace_part(const tracer *t, const ray_program *g, const world_part *p,
                                         const ray *r, void *payload, hit *h)
 {
-    const world_part *p = &t->w->part[k];
     if (!(p->mask & g->mask)) return ANY_HIT_IGNORE;
-    if (g->any_hit && !p->opaque) return trace_part_asking(t, g, k, *r, payload, h);
+    if (g->any_hit && !p->opaque) return trace_part_asking(t, g, p, *r, payload, h);
     bool met = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
     return !met ? ANY_HIT_IGNORE : g->first ? ANY_HIT_END : ANY_HIT_ACCEPT;
 }
 
-/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+/* For the same reason the hit is written where it shall lie. */
 __attribute__((always_inline))
-static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, trace_hit *x)
+static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x)
 {
-    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     const ray_program *g = &t->program[kind];
+    const world_part *part = t->w->part, *end = part + t->w->parts;
     bool met = false;
-    for (uint32_t k = 0; k < t->w->parts; k++) {
-        hit h;
-        any_hit_answer answer = trace_part(t, g, k, &own, payload, &h);
+    for (const world_part *p = part; p < end; p++) {
+        hit later, *h = met ? &later : &x->h;
+        any_hit_answer answer = trace_part(t, g, p, r, payload, h);
         if (answer == ANY_HIT_IGNORE) continue;
-        if (!g->first && (!met || h.t < own.tmax))  /* at equal t the first part stays */
-            *x = (trace_hit){{h.t, h.u, h.v, h.shape}, k}, own.tmax = h.t;
+        if (!g->first && (!met || h->t < r->tmax)) {  /* at equal t the first part stays */
+            if (met) x->h = later;
+            x->part = (uint32_t)(p - part), r->tmax = h->t;
+        }
         met = true;
         if (answer == ANY_HIT_END) break;
     }
@@ -212,11 +217,13 @@ static inline bool trace_find(tracer *t, ray_kind kind, ray r, void *payload, tr
     return met;
 }
 
+/* Its own ray is copied field by field. */
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
 {
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     const ray_program *g = &t->program[kind];
     trace_hit x;
-    bool met = trace_find(t, kind, r, payload, &x);
+    bool met = trace_find(t, kind, &own, payload, &x);
     if (!met && g->miss) g->miss(t, r, payload);
     if (met && !g->first && g->closest_hit) g->closest_hit(t, r, x, payload);
     return met;

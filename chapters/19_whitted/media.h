@@ -20,6 +20,7 @@
  *   before = media_before(in, &c)                     `in`, and what is left without having been
  *                                                     entered: the ray began in there
  *   after = media_after(before, &c)
+ *   media_begin(&in, &c), media_cross(&in, &c)        `in` becomes that, where it lies
  *   from = media_fills(m, &before), to = media_fills(m, &after);     from == to: no interface
  *
  * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
@@ -93,23 +94,31 @@ static inline void media_crossing_add(media_crossing *c, uint32_t body, int sign
     else c->face[k].out = true;
 }
 
-static inline media_set media_before(media_set in, const media_crossing *c)
+static inline void media_begin(media_set *in, const media_crossing *c)
 {
     for (const media_face *f = c->face; f < c->face + c->n; f++) {
-        if (!f->out || f->in || media_has(&in, f->body) || in.n == media_most) continue;
-        for (uint32_t j = in.n++; j > 0; j--) in.body[j] = in.body[j - 1];
-        in.body[0] = f->body;  /* longest of all in there: the outermost */
+        if (!f->out || f->in || media_has(in, f->body) || in->n == media_most) continue;
+        for (uint32_t j = in->n++; j > 0; j--) in->body[j] = in->body[j - 1];
+        in->body[0] = f->body;  /* longest of all in there: the outermost */
     }
-    return in;
+}
+
+static inline void media_cross(media_set *in, const media_crossing *c)
+{
+    for (const media_face *f = c->face; f < c->face + c->n; f++)
+        if (f->out && !f->in) media_leave(in, f->body);
+    for (const media_face *f = c->face; f < c->face + c->n; f++)
+        if (f->in && !f->out) media_enter(in, f->body);
+}
+
+static inline media_set media_before(media_set in, const media_crossing *c)
+{
+    return media_begin(&in, c), in;
 }
 
 static inline media_set media_after(media_set before, const media_crossing *c)
 {
-    for (const media_face *f = c->face; f < c->face + c->n; f++)
-        if (f->out && !f->in) media_leave(&before, f->body);
-    for (const media_face *f = c->face; f < c->face + c->n; f++)
-        if (f->in && !f->out) media_enter(&before, f->body);
-    return before;
+    return media_cross(&before, c), before;
 }
 
 #endif

@@ -92,7 +92,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
         ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
                                        : leave(surface_copy(s), L->at);
         real lit = 1;
-        if (trace_find(t, RAY_SHADOW, r, &lit, NULL)) lit = 0;
+        trace_hit any;
+        if (trace_find(t, RAY_SHADOW, &r, &lit, &any)) lit = 0;
         if (w->log)
             w->log->add(w->log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
         if (counts && lit > 0)
@@ -103,37 +104,39 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
 
 /* The face that x is on, and all that lie there with it. Which side of a body the ray comes from is
  * asked of the geometric normal, before it is turned to the ray. */
-static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, whitted_place *p)
+static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit *x,
+                                  whitted_place *p)
 {
     const whitted *w = t->user;
-    surface s = surface_of_trace(t, b->r, x);
-    p->s = surface_copy(&s);
-    p->m = w->material_of(w->context, x, &p->s, &p->room);
+    surface s = surface_of_trace(t, b->r, *x);
+    p->m = w->material_of(w->context, *x, &s, &p->room);
     p->more = 0;
     if (p->m->body) {
         media_crossing c = {0};
-        media_crossing_add(&c, p->m->body, vdot(p->s.n, b->r.d) < 0 ? 1 : -1);
-        if (!w->apart) p->more = contact_find(t, b->r, x, &p->s, &p->m, &p->room, &c);
+        media_crossing_add(&c, p->m->body, vdot(s.n, b->r.d) < 0 ? 1 : -1);
+        if (!w->apart) p->more = contact_find(t, b->r, *x, &s, &p->m, &p->room, &c);
         if (p->m->body) {
-            b->in = media_before(b->in, &c), p->after = media_after(b->in, &c);
+            media_begin(&b->in, &c), p->after = b->in, media_cross(&p->after, &c);
             p->beyond = media_fills(w->media, &p->after);
         }
     }
     p->inside = media_fills(w->media, &b->in);
-    p->s = surface_facing(surface_copy(&p->s), b->r.d);
+    p->s = surface_facing(surface_copy(&s), b->r.d);
 }
 
 static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
 {
     const whitted *w = t->user;
+    const real end = b->r.tmax;
     for (p->left = (vec3){1, 1, 1};;) {
         trace_hit x;
-        bool met = trace_find(t, b->kind, b->r, NULL, &x);
+        bool met = trace_find(t, b->kind, &b->r, NULL, &x);
+        b->r.tmax = end;
         if (w->log) b->number = w->log->add(w->log, b->kind, b->number, b->depth, b->r,
                                             met ? x.h.t : real_infinity,
                                             vmul(b->weight, p->left), 0);
         if (!met) return false;
-        whitted_arrive(t, b, x, p);
+        whitted_arrive(t, b, &x, p);
         p->left = vmul(p->left, absorbed(w->media[p->inside].absorb, x.h.t));           /* (19.9) */
         if (!p->m->body || p->beyond != p->inside) return true;
         b->r.o = leave_point(p->s, vneg(p->s.n), p->more), b->in = p->after;  /* no interface */

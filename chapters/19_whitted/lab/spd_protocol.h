@@ -73,7 +73,7 @@ static inline void spd_eye_ray(tracer *t, const world *w, ray r)
     while (top > 0) {
         spd_branch b = stack[--top];
         trace_hit x;
-        if (!trace_find(t, b.kind, b.r, NULL, &x)) continue;
+        if (!trace_find(t, b.kind, &b.r, NULL, &x)) continue;
         surface s = surface_of_trace(t, b.r, x);
         finish f = world_finish(w, x.h.shape);
         bool entering = vdot(s.n, b.r.d) < 0;
