@@ -37,19 +37,23 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A branch counts if some colour of its weight is more than w->least. It goes on along its d, on
- * the side of `side`, whatever rounding makes of n.d; d, share and kind are known. */
-static inline bool whitted_child(const whitted *w, const whitted_branch *b, const whitted_place *p,
-                                 vec3 side, whitted_branch *child)
+/* A branch counts if some colour of its weight is more than w->least; its share is known. */
+static inline bool whitted_counts(const whitted *w, const whitted_branch *b,
+                                  const whitted_place *p, whitted_branch *child)
 {
     child->weight = vmul(vmul(b->weight, p->left), child->share);
     vec3 weight = child->weight;
-    bool counts = weight.x > w->least || weight.y > w->least || weight.z > w->least;
-    if (!counts && !(w->spend_all && vzero(weight))) return false;
-    child->r.o = leave_point(surface_copy(&p->s), side, p->more);
+    if (weight.x > w->least || weight.y > w->least || weight.z > w->least) return true;
+    return w->spend_all && vzero(weight);
+}
+
+/* It goes on along d, on the side of `side`, whatever rounding makes of n.d. */
+static inline void whitted_go_on(const whitted_branch *b, const whitted_place *p, ray_kind kind,
+                                 vec3 d, vec3 side, whitted_branch *child)
+{
+    child->r.o = leave_point(surface_copy(&p->s), side, p->more), child->r.d = lifted(d, side);
     child->r.tmin = 0, child->r.tmax = real_infinity;
-    child->in = b->in, child->depth = b->depth + 1, child->number = b->number;
-    return true;
+    child->in = b->in, child->depth = b->depth + 1, child->kind = kind, child->number = b->number;
 }
 
 /* What is traced on: 0 to 2 branches, the reflected one last. */
@@ -63,17 +67,20 @@ static inline int whitted_children(const whitted *w, const whitted_branch *b,
         snell x;
         bool bends = snell_of(d, p->s.ns, w->media[p->inside].ior, w->media[p->beyond].ior, &x);
         real R = fresnel(&x);
-        M = vscale(M, R), child->kind = RAY_REFRACTION;
-        child->share = vscale(p->m->through, 1 - R);
-        child->r.d = lifted(snell_refract(&x, d, p->s.ns), down);
-        if (bends && whitted_child(w, b, p, down, child)) child[n++].in = p->after;
+        M = vscale(M, R), child->share = vscale(p->m->through, 1 - R);
+        if (bends && whitted_counts(w, b, p, child)) {
+            whitted_go_on(b, p, RAY_REFRACTION, snell_refract(&x, d, p->s.ns), down, child);
+            child[n++].in = p->after;
+        }
     } else if (w->spend_all) {
-        child->kind = RAY_REFRACTION, child->share = (vec3){0, 0, 0}, child->r.d = d;
-        n += whitted_child(w, b, p, down, child);
+        child->share = (vec3){0, 0, 0};
+        if (whitted_counts(w, b, p, child))
+            whitted_go_on(b, p, RAY_REFRACTION, d, down, &child[n++]);
     }
-    child[n].kind = RAY_REFLECTION, child[n].share = M;
-    child[n].r.d = lifted(reflect(d, p->s.ns), up);
-    return n + whitted_child(w, b, p, up, &child[n]);
+    child[n].share = M;
+    if (whitted_counts(w, b, p, &child[n]))
+        whitted_go_on(b, p, RAY_REFLECTION, reflect(d, p->s.ns), up, &child[n++]);
+    return n;
 }
 
 /* What comes back along b, as L / n^2 (19.11). */
