@@ -137,7 +137,8 @@ static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
                                             vmul(b->weight, p->left), 0);
         if (!met) return false;
         whitted_arrive(t, b, &x, p);
-        p->left = vmul(p->left, absorbed(w->media[p->inside].absorb, x.h.t));           /* (19.9) */
+        vec3 sigma = w->media[p->inside].absorb;
+        if (!vzero(sigma)) p->left = vmul(p->left, absorbed(sigma, x.h.t));             /* (19.9) */
         if (!p->m->body || p->beyond != p->inside) return true;
         b->r.o = leave_point(p->s, vneg(p->s.n), p->more), b->in = p->after;  /* no interface */
     }
