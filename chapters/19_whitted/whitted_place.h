@@ -86,7 +86,7 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
     bool reflects = material_reflects(m);
     for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
-        light_sample x;
+        light_sample x = {{0, 0, 0}, {0, 0, 0}};
         bool counts = reflects && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
