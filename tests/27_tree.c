@@ -505,7 +505,7 @@ static void leave_out(const effects_stage *e, ray r, left_out *n)
     ray shadow = lit_draw_ray(&h.s, &lamp);
     but = gather_but(&h, RAY_TO_LAMP, &lamp, shadow);
     n->wrong += studio_tree_occluded(&e->t, shadow)
-        != studio_tree_occluded_but(&e->t, shadow, but);
+        != studio_tree_occluded_but(&e->t, &shadow, but);
     n->to += but.to.index != no_shape;
 }
 

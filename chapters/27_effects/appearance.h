@@ -24,15 +24,24 @@
 #ifndef EFFECTS_APPEARANCE_H
 #define EFFECTS_APPEARANCE_H
 
+#include "effect.h"
 #include "studio.h"
 
+typedef struct { vec3 matte, highlight, mirror, glossy, through; } appearance_parts;
+
 typedef struct {
-    vec3 flat, matte, highlight, mirror, glossy, through, emits;
+    vec3 flat, emits;
+    union {
+        appearance_parts parts;  /* all five */
+        struct { vec3 matte, highlight, mirror, glossy, through; };
+    };
     vec3 absorb;                 /* per unit of length */
     real exponent, ior;
     real rough;                  /* alpha (23): `mirror` and `through` are of facets; 0: smooth */
     bool fresnel, bends, solid;
     real excess;                 /* > 1: colours were divided by it */
+    bool lobe;                   /* highlight or glossy */
+    unsigned calls;              /* effects that its parts take */
 } appearance;
 
 enum { appearance_mirror_ns = 1000 };
@@ -71,12 +80,27 @@ static inline void appearance_limit(appearance *a)
     for (int k = 0; k < 5; k++) *part[k] = vscale(*part[k], 1 / a->excess);
 }
 
+/* Gives back light that falls on it: lights have something to do here. */
+static inline bool appearance_lit(const appearance *a)
+{
+    return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy) || a->rough > 0;
+}
+
+/* What its parts take, once they are known: a ray's hit asks for no others. */
+static inline void appearance_note(appearance *a)
+{
+    a->lobe = !vzero(a->highlight) || !vzero(a->glossy);
+    a->calls = (appearance_lit(a) ? EFFECTS_LIT : 0) | (vzero(a->matte) ? 0 : EFFECT_INDIRECT)
+        | (vzero(a->glossy) && !(a->rough > 0) ? 0 : EFFECT_GLOSSY)
+        | (vzero(a->mirror) ? 0 : EFFECT_MIRROR) | (vzero(a->through) ? 0 : EFFECT_REFRACTION);
+}
+
 static inline appearance appearance_classic(const studio_material *m)
 {
     appearance a = {.matte = m->kd, .highlight = m->ks, .mirror = m->ks, .through = m->tf,
                     .emits = m->ke, .absorb = m->absorb, .exponent = m->ns, .ior = m->ni,
                     .bends = m->ni != 1, .solid = true};
-    appearance_limit(&a);
+    appearance_limit(&a), appearance_note(&a);
     return a;
 }
 
@@ -114,14 +138,8 @@ static inline appearance appearance_of(const studio_material *m)
         a.mirror = (vec3){1, 1, 1};
     }
     a.fresnel = (illum == 5 || illum == 7) && !(vzero(a.mirror) && vzero(a.glossy));
-    appearance_limit(&a);
+    appearance_limit(&a), appearance_note(&a);
     return a;
-}
-
-/* Gives back light that falls on it: lights have something to do here. */
-static inline bool appearance_lit(const appearance *a)
-{
-    return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy) || a->rough > 0;
 }
 
 /* Bounds a body of glass. */

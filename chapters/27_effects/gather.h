@@ -45,8 +45,6 @@ typedef struct {
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
 } branch;
 
-typedef struct { vec3 matte, highlight, mirror, glossy, through; } gather_share;
-
 /* A ray, the surface that it has met, facing it, and what that does with light, by part. */
 typedef struct {
     const effects_stage *e;
@@ -57,7 +55,7 @@ typedef struct {
     surface s;
     studio_face flat;   /* that s is of */
     real more;          /* touch.h */
-    gather_share k;
+    const appearance_parts *k;
     const rough_glass *facets;  /* of rough glass, whose look is `a`; NULL: of none */
     const appearance *a;
     const media_set *behind;    /* what is in there */
@@ -146,7 +144,7 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
     *left = (vec3){1, 1, 1};
     if ((mask & EFFECT_REFRACTION) && h->e->clear)
         return *left = gather_clear(h->e, *gather_in(h, r.d), r, absorbs, h->c), !vzero(*left);
-    if (studio_tree_occluded_but(&h->e->t, r, gather_but(h, kind, x, r))) return false;
+    if (studio_tree_occluded_but(&h->e->t, &r, gather_but(h, kind, x, r))) return false;
     const media_set *in = gather_in(h, r.d);
     if (absorbs && in->n)  /* all the way in one medium */
         *left = gather_left(h->e, in, r.tmax * vlength(r.d));
@@ -158,11 +156,11 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
 effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
                                     real q)
 {
-    const gather_share *k = &h->k;
+    const appearance_parts *k = h->k;
     real c = vdot(h->s.ns, wi);
     real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
     vec3 sum = vscale(k->matte, c / pi * w);
-    if (!vzero(k->highlight) || !vzero(k->glossy)) {
+    if (h->a->lobe) {
         shading_frame f = shading_frame_of(h->s.ns);
         vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
         if (vzero(k->mirror) || !(pdf < real_infinity))  /* else it shows it */
@@ -220,7 +218,8 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     gather_hit alone = *h;
     lit_draw x = {.far = true, .emitter = lit_dark};
     vec3 part, none = {0, 0, 0};
-    alone.k = (gather_share){.highlight = h->k.highlight};
+    const appearance_parts k = {.highlight = h->k->highlight};
+    alone.k = &k;
     if (!brdf_sample(h->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
         return none;
     x.per = x.pdf, x.Le = sky->s->kind == SKY_NONE ? none : sky_radiance(sky->s, x.wi);
@@ -230,12 +229,11 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
-    const gather_share *k = &h->k;
+    const appearance_parts *k = h->k;
     const effects_stage *e = h->e;
     vec3 sum = {0, 0, 0};
     lit_draw x = {.far = false};
-    bool lit = !vzero(k->matte) || !vzero(k->highlight) || !vzero(k->glossy);
-    lit = lit || ((mask & EFFECT_GLOSSY) && h->facets);
+    bool lit = (h->a->calls & EFFECTS_LIT) != 0;
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
     for (int i = 0; mask & EFFECT_HARD_SHADOWS && i < e->lights; i++)
         if (lit_draw_light(&e->light[i], 1, h->s.p, &x))

@@ -97,7 +97,7 @@ effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int 
 effects_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
                                    bool bends, const media_set *after, branch *c)
 {
-    vec3 weight = vmul(h->b->weight, h->k.through), on = h->b->r.d, n = h->s.n;
+    vec3 weight = vmul(h->b->weight, h->k->through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
     if (!effects_follows(h, mask, DICE_SURVIVES_REFRACTION, &weight)) return 0;
     if (bends) on = back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns);
@@ -129,14 +129,14 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
     return 1;
 }
 
-/* The parts of a surface's light, by Fresnel where the material says so. x is set if it bends. */
-effects_inline void effects_shares(const unsigned mask, const appearance *a, vec3 d,
-                                   const surface *s, const snell *x, bool bends, gather_share *k)
+/* The parts of a surface's light; of a material with Fresnel they are *k. x is set if it bends. */
+effects_inline const appearance_parts *effects_parts(const unsigned mask, const appearance *a,
+                                                     vec3 d, const surface *s, const snell *x,
+                                                     bool bends, appearance_parts *k)
 {
+    if (!a->fresnel) return &a->parts;
     real cosine = real_min(1, fabs(vdot(s->ns, d)));
-    k->matte = a->matte, k->highlight = a->highlight, k->mirror = a->mirror, k->glossy = a->glossy;
-    k->through = mask & EFFECT_REFRACTION ? a->through : (vec3){0, 0, 0};
-    if (!a->fresnel) return;
+    *k = a->parts;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {  /* for effects_facet */
         k->mirror = k->through = (vec3){0, 0, 0};
     } else if (vzero(a->through)) {
@@ -150,6 +150,7 @@ effects_inline void effects_shares(const unsigned mask, const appearance *a, vec
         k->mirror = vscale(k->mirror, R), k->glossy = vscale(k->glossy, R);
         k->through = vscale(k->through, 1 - R), k->matte = vscale(k->matte, 1 - R);
     }
+    return k;
 }
 
 /* Black ones (EFFECTS_SPEND) behind the others: they are traced at once and never wait. */
@@ -168,18 +169,19 @@ static inline int effects_black_last(branch child[4], int n)
 effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
                                     bool bends, const media_set *after, branch child[4])
 {
+    const unsigned calls = mask & EFFECTS_SPEND ? mask : mask & h->a->calls;
     int n = 0;
-    if (mask & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k.matte, child);
-    if ((mask & EFFECT_GLOSSY) && h->facets) n += effects_facet(h, mask, &child[n]);
-    else if (mask & EFFECT_GLOSSY)
-        n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
-    if (mask & EFFECT_MIRROR) {
-        vec3 weight = vmul(h->b->weight, h->k.mirror);
+    if (calls & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k->matte, child);
+    if ((calls & EFFECT_GLOSSY) && h->facets) n += effects_facet(h, mask, &child[n]);
+    else if (calls & EFFECT_GLOSSY)
+        n += effects_spread(h, mask, RAY_GLOSSY, h->k->glossy, &child[n]);
+    if (calls & EFFECT_MIRROR) {
+        vec3 weight = vmul(h->b->weight, h->k->mirror);
         if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
             effects_child(h, mask, RAY_MIRRORED, h->s.n, reflect(h->b->r.d, h->s.ns), weight,
                           &child[n++]);
     }
-    if (mask & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
+    if (calls & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
     return mask & EFFECTS_SPEND ? effects_black_last(child, n) : n;
 }
 
@@ -190,14 +192,13 @@ typedef struct {
     uint32_t m, to;
     surface s;
     real more;
-    media_set after;
 } effects_met;
 
 /* Through all faces that lie where glass was met, and the roughest of them gives its material.
  * False: one of them is opaque, and that is what was met. A call, as bodies_cross. */
 __attribute__((noinline))
 static bool effects_cross(const effects_stage *e, bool always, branch *b, effects_met *met,
-                          effects_counts *c)
+                          media_set *after, effects_counts *c)
 {
     touch at;
     touch_at(&e->t, e->look, e->near, always, b->r, met->x, &met->s, &at);
@@ -206,7 +207,7 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
         if (k->in != k->out && e->look[k->body - 1].rough > e->look[met->m].rough)
             met->m = k->body - 1;
     if (at.opaque.h.shape == no_shape)
-        return met->to = bodies_cross(e, &at.faces, &b->in, &met->after, c), true;
+        return met->to = bodies_cross(e, &at.faces, &b->in, after, c), true;
     at.opaque.h.t = met->x.h.t, met->x = at.opaque, met->s = at.on;
     met->m = studio_hit_material(&e->t, met->x);
     return false;
@@ -217,55 +218,61 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
 effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
                                 branch child[4], const dice *d, effects_counts *c)
 {
-    effects_met met;
+    studio_hit x;
     c->rays[b->kind]++;
-    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &met.x)) {
+    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
-    uint32_t inside = 0;
-    met.m = studio_hit_material(&e->t, met.x), met.to = 0, met.more = 0;
-    met.s = effects_surface(e, b->r, met.x);
-    bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[met.m])
-        && effects_cross(e, (mask & EFFECTS_SPEND) != 0, b, &met, c);
-    const appearance *a = &e->look[met.m];
+    uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
+    surface s = effects_surface(e, b->r, x);
+    real more = 0;
+    media_set after;
+    bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[m]);
+    if (body) {
+        effects_met met = {x, m, to, surface_copy(&s), 0};
+        body = effects_cross(e, (mask & EFFECTS_SPEND) != 0, b, &met, &after, c);
+        x = met.x, m = met.m, to = met.to, s = surface_copy(&met.s), more = met.more;
+    }
+    const appearance *a = &e->look[m];
     gather_hit h;
-    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[met.m], h.more = met.more;
-    h.s = surface_copy(&met.s);
+    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = more;
+    h.s = surface_copy(&s);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
-        real way = met.x.h.t - b->r.tmin;  /* nothing before that: `hither` */
+        real way = x.h.t - b->r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
     real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
-    h.flat = studio_flat_face(&e->t, met.x);
+    h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
-    bool bends = body && stage_bends(e, a, body, inside, met.to);
-    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[met.to].ior, &at);
-    vec3 L = gather_emitted(e, mask, b, a, met.x, &h.s);
-    if (body && met.to == inside) {  /* one medium on both sides: no surface, but it may shine */
+    bool bends = body && stage_bends(e, a, body, inside, to);
+    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
+    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
+    if (body && to == inside) {  /* one medium on both sides: no surface, but it may shine */
         *sum = vadd(*sum, vmul(b->weight, L));
         if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
         if (!bends) effects_straight_on(&h, child);
-        child->in = met.after, child->depth = b->depth, child->passed = b->passed + 1;
+        child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    effects_shares(mask, a, b->r.d, &h.s, &at, bends, &h.k);
+    appearance_parts parts;
+    h.k = effects_parts(mask, a, b->r.d, &h.s, &at, bends, &parts);
     rough_glass facets;
-    h.facets = NULL, h.a = a, h.behind = body ? &met.after : NULL;
+    h.facets = NULL, h.a = a, h.behind = body ? &after : NULL;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {
         facets = (rough_glass){a->rough, bends ? e->media[inside].ior : 1,
-                               bends ? e->media[met.to].ior : a->ior};
+                               bends ? e->media[to].ior : a->ior};
         h.facets = &facets;
         h.s.error += h.more, h.more = 0;  /* for shadow rays, too */
     }
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
-            L = vadd(L, vmul(vadd(vadd(h.k.matte, h.k.highlight), h.k.glossy),
+            L = vadd(L, vmul(vadd(vadd(h.k->matte, h.k->highlight), h.k->glossy),
                              headlight(h.s.ns, b->r.d)));
     }
     if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));

@@ -5,9 +5,9 @@
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
- *   studio_tree_hit_but(&t, &r, but, &x), studio_tree_occluded_but(&t, r, but)    the same answers,
- *                                             sooner: r is known not to meet two faces, the one
- *                                             that it left and that of the lamp at its end
+ *   studio_tree_hit_but(&t, &r, but, &x), studio_tree_occluded_but(&t, &r, but)    the same
+ *                                             answers, sooner: r is known not to meet two faces,
+ *                                             the one that it left and that of the lamp at its end
  *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
  *                                             18 towards the same side does not come back
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
@@ -168,14 +168,16 @@ effects_inline bool studio_tree_hit_but(const studio_tree *t, const ray *r, stud
     return found;
 }
 
-effects_inline bool studio_tree_occluded_but(const studio_tree *t, ray r, studio_but but)
+effects_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
 {
-    if (t->all->n && bvh8_occluded_but(&t->shapes, r, studio_skip(but, no_shape))) return true;
+    const bvh8_skip own = studio_skip(but, no_shape);
+    if (t->all->n && bvh8_ask_at(&t->shapes, r, own, NULL, NULL)) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_occluded_but(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]))) return true;
+        if (bvh8_ask_at(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]), NULL, NULL))
+            return true;
     for (size_t k = 0; k < t->solids; k++)
-        if (csg_occluded(&t->s->solid[k].c, r)) return true;
-    return t->moved.n && instances_occluded(&t->moved, r);
+        if (csg_occluded(&t->s->solid[k].c, *r)) return true;
+    return t->moved.n && instances_occluded(&t->moved, *r);
 }
 
 static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
@@ -185,7 +187,7 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 
 static inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
-    return studio_tree_occluded_but(t, r, studio_but_none);
+    return studio_tree_occluded_but(t, &r, studio_but_none);
 }
 
 /* Of moved meshes and solids none is left out: their places have no tree that asks. */
