@@ -50,14 +50,16 @@ static inline vec3 sample_turn(real r, real z, real v)
 /* ---- disk: squares of radius a become circles of radius a ---- */
 
 /* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
- * Values are chosen, not branches, which nobody can predict. */
+ * Which of the two is larger is an index, not a branch, which nobody could predict. */
 static inline vec3 sample_disk(real u, real v)
 {
-    real a = 2 * u - 1, b = 2 * v - 1;
-    bool flat = fabs(a) > fabs(b);
-    real r = flat ? a : b, q = flat ? b : a;
-    real phi = pi / 4 * (q / (r == 0 ? 1 : r)), c = r * cos(phi), s = r * sin(phi);
-    return (vec3){flat ? c : s, flat ? s : c, 0};
+    real ab[2] = {2 * u - 1, 2 * v - 1}, xy[2];
+    int flat = fabs(ab[0]) > fabs(ab[1]);
+    real r = ab[!flat], q = ab[flat];
+    if (r == 0) return (vec3){0, 0, 0};
+    real phi = pi / 4 * (q / r);
+    xy[!flat] = r * cos(phi), xy[flat] = r * sin(phi);
+    return (vec3){xy[0], xy[1], 0};
 }
 
 static inline real pdf_disk(vec3 p)
