@@ -385,7 +385,7 @@ static inline size_t structure_corners(size_t all)
         X built;                                                                                 \
         size_t wrong = 0;                                                                        \
         check(X##_build(&in, options, &built, &why), #X " of a fan: %s", why.text);              \
-        if (structure_corners(corners) == corners)  /* of fewer the limit says nothing */        \
+        if (structure_corners(corners) == (corners))  /* of fewer the limit says nothing */      \
             check_at_most((double)X##_stats(&built).references, most, #X " of a fan: references"); \
         for (int i = 0; i < 100; i++) {                                                          \
             vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3);                      \
