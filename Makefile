@@ -24,6 +24,7 @@
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make tidy       clang-tidy over all programs and tests, as .clang-tidy says: no findings   (needs clang-tidy)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
+# make valgrind   reads of what nobody wrote: the tests that .ci/run does not ask for them   TESTS=".."  these
 # make clean      removes build/                                                 help    this text
 #
 # Variables: CC (cc), CFLAGS (-O2, and -march=native where it works), REAL (double or float),
@@ -186,8 +187,9 @@ endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
 soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
-	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 FULL=1 \
-	  BENCH_ONCE=1 sh tests/$(if $(MINUTES),soak.sh,run.sh pages.sh $(TESTS))
+	$(if $(MINUTES),,$(Q)$(MAKE) --no-print-directory pages FULL=1)
+	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
+	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
 
 # FULL=1: of what the programs print with --full, but for BRIEF=".." of them; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
 # BENCH_ONCE: times, which nobody compares, are taken once.
@@ -291,6 +293,14 @@ tidy:
 	@printf '%s\n' $(TIDY) | xargs -P $(JOBS) -I FILE clang-tidy --quiet FILE -- -std=c11 -DREAL=$(REAL) \
 	  '-DBUILD_FLAGS=""' 2>/dev/null || { echo "tidy: findings, see above" >&2; exit 1; }
 	@echo "tidy: no findings in $(words $(TIDY)) files and what they include"
+
+# Without -march=native: valgrind knows no AVX-512. A two-hundredth of the counts: it is some fifty times slower.
+.PHONY: valgrind
+VALGRIND = $(if $(filter command line,$(origin TESTS)),$(TESTS),07_mesh 13_painter 14_build 14_bvh vec3)
+valgrind:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/valgrind CFLAGS=-O1 $(VALGRIND:%=$(BUILD)/valgrind/test_%)
+	@for t in $(VALGRIND); do CHECK_DIVISOR=200 valgrind -q --error-exitcode=9 --leak-check=full \
+	  --errors-for-leak-kinds=definite $(BUILD)/valgrind/test_$$t || exit 1; done
 
 clean:
 	rm -rf $(BUILD)
