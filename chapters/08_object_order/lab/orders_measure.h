@@ -48,7 +48,7 @@ static inline void orders_measure(const options *o)
     static const int bits[orders_ways] = {0, 1, 4, 8, 16, -1};
     static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
         "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
-    int nx = o->quick ? 80 : o->full ? 320 : 160, ny = nx * 3 / 4;
+    int nx = o->quick ? 40 : o->full ? 320 : 160, ny = nx * 3 / 4;
     mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];

@@ -27,6 +27,7 @@ typedef struct {
     uint64_t seed;
     double budget;                     /* rays a pixel and trial, at least a sample */
     uint32_t many;                     /* samples a pixel of the reference */
+    size_t pixels;                     /* of trial_pixels the first */
     double exact[trial_depths][trial_pixels];
     trial_part part[trials][trial_pixels];
 } branch_survey;
@@ -75,8 +76,8 @@ static inline double trial_sample(const branch_survey *b, int trial, size_t pixe
 static inline void trial_job(size_t job, void *context)
 {
     branch_survey *b = context;
-    int trial = trials - 1 - (int)(job / trial_pixels);
-    size_t pixel = job % trial_pixels;
+    int trial = trials - 1 - (int)(job / b->pixels);
+    size_t pixel = job % b->pixels;
     trial_part *part = &b->part[trial][pixel];
     double exact = b->exact[trial / branch_kinds][pixel];
     double n = b->budget / first_rays_of_branching(trial_branches(trial), trial_bounces(trial));
@@ -95,7 +96,7 @@ static inline double timed_run(void *context)
     naive_counts c = {{0}, 0, 0};
     double sum = 0;
     for (uint64_t i = 0; (double)naive_rays(&c) < t->least; i++)
-        sum += trial_sample(t->b, t->trial, i % trial_pixels, i, &c);
+        sum += trial_sample(t->b, t->trial, i % t->b->pixels, i, &c);
     t->rays = (double)naive_rays(&c);
     return sum;
 }
@@ -108,12 +109,12 @@ static inline branch_result trial_result(const branch_survey *b, int trial)
 {
     double rays = 0, exact = 0;
     estimate square = {0, 0, 0};
-    for (size_t k = 0; k < trial_pixels; k++) {
+    for (size_t k = 0; k < b->pixels; k++) {
         const trial_part *p = &b->part[trial][k];
         rays += (double)naive_rays(&p->c), square = estimate_merge(square, p->square);
         exact += b->exact[trial / branch_kinds][k];
     }
-    double error = sqrt(square.mean) / exact * trial_pixels;
+    double error = sqrt(square.mean) / exact * (double)b->pixels;
     return (branch_result){error, error * estimate_error(square) / (2 * square.mean),
                            rays / (double)square.n, 0};
 }
@@ -129,8 +130,9 @@ static inline void measure_branches(const options *o)
                         "time of a sample [us]|time: error over that of N = 1");
     lit_cornell(&b->scene);
     b->seed = o->seed, b->budget = o->quick ? 100 : 5000, b->many = o->quick ? 64 : 4096;
-    parallel_whole(trial_pixels, o->threads, "reference", trial_reference, b);
-    parallel_whole(trials * trial_pixels, o->threads, "N directions", trial_job, b);
+    b->pixels = o->quick ? 4 : trial_pixels;
+    parallel_whole(b->pixels, o->threads, "reference", trial_reference, b);
+    parallel_whole(trials * b->pixels, o->threads, "N directions", trial_job, b);
     for (int k = 0; k < trials; k++) timed[k] = (timed_trial){b, k, o->quick ? 500 : 3000, 0};
     bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : o->full ? 15 : 5, 1e6, us);
     for (int k = 0; k < trials; k++) {
