@@ -295,6 +295,27 @@ static void test_many_faces(void)
     }
 }
 
+/* A white mirror, a smoothed octahedron under a white sky: at its outline the shading normal sends
+ * rays below the surface. It is as white as the sky all the same. */
+static void test_smoothed(void)
+{
+    enum { w = 40, h = 30 };
+    char text[400];
+    double worst = 0;
+    set q;
+    put("eight.obj", "v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
+        "f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n");
+    snprintf(text, sizeof text, "camera from 2 1.5 4 at 0 0 0 angle 32\nbackground 1\n"
+             "material m\nKd 0\nKs 1\nillum 3\nobj %s smooth\n", in_directory("eight.obj"));
+    set_up(&q, text);
+    for (int i = 0; i < w * h; i++) {
+        ray r = camera_ray(q.e.eye, (real)(i % w) + (real)0.5, (real)(i / w) + (real)0.5, w, h);
+        worst = check_worse(worst, fabs((double)seen_along(&q, r).x - 1));
+    }
+    check_equal(worst, 0, "light that a white mirror swallows");
+    tear_down(&q);
+}
+
 /* Glass whose refraction is left out keeps the share that it reflects: Schlick's, F0 = 0.04. */
 static void test_left_out(void)
 {
@@ -526,6 +547,7 @@ int main(void)
     test_contacts();
     test_ends();
     test_many_faces();
+    test_smoothed();
     test_left_out();
     test_light();
     test_highlights();

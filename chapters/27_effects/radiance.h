@@ -57,7 +57,7 @@ effects_inline void effects_child(const gather_hit *h, const unsigned mask, int 
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
     c->bounced = b->bounced, c->passed = 0, c->way = 0;
-    c->left = vdot(side, d) > 0 ? h->flat : studio_no_face;  /* a mirror smoothed leads back in */
+    c->left = vdot(side, d) > 0 ? h->flat : studio_no_face;
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -100,8 +100,9 @@ effects_inline int effects_through(const gather_hit *h, const unsigned mask, con
     vec3 weight = vmul(h->b->weight, h->k->through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
     if (!effects_follows(h, mask, DICE_SURVIVES_REFRACTION, &weight)) return 0;
-    if (bends) on = back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns);
-    effects_child(h, mask, RAY_REFRACTED, back ? n : vneg(n), on, weight, c);
+    vec3 side = back ? n : vneg(n);
+    if (bends) on = lifted(back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns), side);
+    effects_child(h, mask, RAY_REFRACTED, side, on, weight, c);
     if (!bends) effects_straight_on(h, c);
     if (after && !back) c->in = *after;
     return 1;
@@ -178,8 +179,8 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
     if (calls & EFFECT_MIRROR) {
         vec3 weight = vmul(h->b->weight, h->k->mirror);
         if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
-            effects_child(h, mask, RAY_MIRRORED, h->s.n, reflect(h->b->r.d, h->s.ns), weight,
-                          &child[n++]);
+            effects_child(h, mask, RAY_MIRRORED, h->s.n,
+                          lifted(reflect(h->b->r.d, h->s.ns), h->s.n), weight, &child[n++]);
     }
     if (calls & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
     return mask & EFFECTS_SPEND ? effects_black_last(child, n) : n;
