@@ -1,8 +1,8 @@
 /* Tests of 26_path_tracer: light against eye. Paths from the lamp and paths from the eye must find
  * the same radiance in every block of pixels. Fixed seeds; false alarms: once in 1e7 seeds. */
 #include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/26_path_tracer/lab/light_picture.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"
-#include "../chapters/26_path_tracer/light_tracer.h"
 #include "check.h"
 
 enum { side = 24, block = 4, across = side / block, blocks = across * across, sets = 24 };
@@ -45,7 +45,7 @@ static void from_eye(const showcase *c, estimate *e, estimate *mean)
 static void from_lamp(const showcase *c, estimate *e, estimate *mean)
 {
     light_tracer t;
-    light_counts work = {0};
+    light_sum work = {0};
     light_tracer_of(&c->s, c->eye, side, side, &t);
     size_t n = (check_count(20000) < 2000 ? 2000 : check_count(20000)) / light_jobs * light_jobs;
     for (uint64_t set = 0; set < sets; set++) {
@@ -59,7 +59,7 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
         image_free(&im);
     }
     image one, three;
-    light_counts again = {0};
+    light_sum again = {0};
     light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 1, &one, &again);
     light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 3, &three, &again);
     check(memcmp(one.rgb, three.rgb, 3 * side * side * sizeof *one.rgb) == 0,

@@ -14,6 +14,7 @@
  *       computed here, once.
  *
  *   emitter_power(&e)                area x radiance: what it gives off, but for a factor pi / 3
+ *   vec3 x = emitter_at(&e, u, &n)   x uniform in area, and the unit normal there
  *   emitter_by_area(&e, p, u, &x)    draws x.s (on the light, for leave_between), x.wi (unit, from
  *   emitter_by_angle(&e, p, u, &x)   p) and x.pdf [1/sr]; no cosine is included. false: p is
  *                                    behind it or in its plane, inside of a sphere, or the point
@@ -135,30 +136,29 @@ static inline bool emitter_seen(const emitter *e, vec3 x, vec3 n, vec3 p, emitte
     return out->pdf > 0;
 }
 
-/* [of area > 0] A flat one by area: its front, n = e->n, or its back, n = -e->n. */
+/* A point of it, each part of its area as likely; n: where it shines from there. */
 __attribute__((always_inline))
-static inline bool emitter_flat(const emitter *e, vec3 n, vec3 p, point2 u, emitter_point *out)
+static inline vec3 emitter_at(const emitter *e, point2 u, vec3 *n)
 {
-    vec3 x;
-    if (e->kind == EMITTER_RECTANGLE) {
-        x = vmadd(vmadd(e->rectangle.o, e->rectangle.s, u.u), e->rectangle.t, u.v);
-    } else {
+    *n = e->n;
+    if (e->kind == EMITTER_RECTANGLE)
+        return vmadd(vmadd(e->rectangle.o, e->rectangle.s, u.u), e->rectangle.t, u.v);
+    if (e->kind == EMITTER_TRIANGLE) {
         vec3 b = sample_triangle(u.u, u.v), a = e->triangle.a;
-        x = vadd(a, vmadd(vscale(vsub(e->triangle.b, a), b.y), vsub(e->triangle.c, a), b.z));
+        return vadd(a, vmadd(vscale(vsub(e->triangle.b, a), b.y), vsub(e->triangle.c, a), b.z));
     }
-    return emitter_seen(e, x, n, p, out);
+    vec3 out = sample_sphere(u.u, u.v);
+    *n = e->sphere.r < 0 ? vneg(out) : out;
+    return vmadd(e->sphere.c, out, fabs(e->sphere.r));
 }
 
 __attribute__((always_inline))
 static inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_point *out)
 {
     if (!(e->area > 0)) return false;
-    if (e->kind != EMITTER_SPHERE) return emitter_flat(e, e->n, p, u, out);
-    vec3 n = sample_sphere(u.u, u.v), x = vmadd(e->sphere.c, n, fabs(e->sphere.r));
-    if (e->sphere.r < 0) {
-        if (!emitter_sphere_around(e->sphere, p)) return false;
-        n = vneg(n);
-    }
+    if (e->kind == EMITTER_SPHERE && e->sphere.r < 0 && !emitter_sphere_around(e->sphere, p))
+        return false;
+    vec3 n, x = emitter_at(e, u, &n);
     return emitter_seen(e, x, n, p, out);
 }
 

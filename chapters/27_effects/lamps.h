@@ -104,9 +104,9 @@ effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, l
     out->emitter = (uint32_t)lit_lights_choose(&l->of, u.u, &chance, &u.u);
     const emitter *e = &l->face[out->emitter];
     if (e->kind != EMITTER_SPHERE) {
-        emitter_point x;
-        vec3 side = emitter_height(e, p) < 0 ? vneg(e->n) : e->n;
-        return emitter_flat(e, side, p, u, &x) && lit_drawn(e, &x, chance, out);
+        emitter_point seen;
+        vec3 x = emitter_at(e, u, &n), side = emitter_height(e, p) < 0 ? vneg(n) : n;
+        return emitter_seen(e, x, side, p, &seen) && lit_drawn(e, &seen, chance, out);
     }
     emitter ball = *e;
     ball.sphere.r = lamps_within(e->sphere, p, n) ? -fabs(e->sphere.r) : fabs(e->sphere.r);

@@ -13,7 +13,7 @@
 
 #include "../../../common/lab/panels.h"
 #include "../../../common/lab/report.h"
-#include "../light_tracer.h"
+#include "light_picture.h"
 #include "showcase.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -111,7 +111,7 @@ static inline void draw_light(const options *o)
     uint32_t samples = o->quick ? 4 : 32;
     shot s;
     light_tracer l;
-    light_counts work = {0};
+    light_sum work = {0};
     image im;
     shot_of(&s, o, "spheres", path_defaults, side, side);
     image all = image_new(2 * side, side);
