@@ -105,8 +105,8 @@ static void test_strange_intervals(void)
     check(part.lo == 0 && part.hi >= 2 && part.hi < 2.0000001, "sqrt of [-1, 4] is [0, 2]");
     const interval nothing[] = {
         interval_add(e, one), interval_mul(one, e), interval_div(e, one), interval_min(one, e),
-        interval_min(e, one), interval_max(one, e), interval_abs(e), interval_square(e),
-        interval_sin(e), interval_meet(e, one), interval_div(one, interval_at(0))};
+        interval_min(e, one), interval_abs(e), interval_square(e), interval_sin(e),
+        interval_meet(e, one), interval_div(one, interval_at(0))};
     for (size_t k = 0; k < sizeof nothing / sizeof *nothing; k++)
         check(interval_is_empty(nothing[k]), "what is computed from nothing is nothing, %zu", k);
     check(interval_has(interval_mul(interval_at(0), all), 5), "0 times anything may be anything");

@@ -344,6 +344,27 @@ static void test_refusals(void)
     mesh_free(&m);
 }
 
+/* Both counts of (14.7) for one line: no item is tested, no hit ends it. */
+static void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q, search_work *w)
+{
+    float exit;
+    if (box_enter(&n->box, q, INFINITY, &exit) > exit) return;
+    if (n->count) {
+        w->leaves++, w->tests += n->count;
+        return;
+    }
+    w->nodes++;
+    tree_pierced_at(t, t->node + n->first, q, w);
+    tree_pierced_at(t, t->node + n->first + 1, q, w);
+}
+
+static void tree_pierced(const bvh_tree *t, ray r, search_work *work)
+{
+    if (t->items == 0 || !ray_is_usable(r)) return;
+    box_ray q = box_ray_of(r, &t->node[0].box, NULL);
+    tree_pierced_at(t, t->node, &q, work);
+}
+
 /* (14.7) is a mean over all lines: estimated from N of them it is off by sigma / sqrt N. */
 static void test_heuristic(void)
 {

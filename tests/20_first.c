@@ -5,7 +5,7 @@
 #include "../chapters/20_monte_carlo/lab/dome_picture.h"
 #include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/sampling.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "check.h"
 
 #define alarm 1e-8

@@ -4,7 +4,7 @@
 #include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/discrete.h"
 #include "../chapters/20_monte_carlo/lab/sampling_naive.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../common/numbers/wide.h"
 #include "check.h"
 

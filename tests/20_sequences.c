@@ -3,7 +3,7 @@
  * than 100 such tests. */
 #include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/lab/integrands.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "check.h"
 
 #define alarm 1e-8

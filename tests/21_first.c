@@ -3,7 +3,7 @@
  * once in 1e8 seeds. */
 #include "../chapters/21_distributed/first.h"
 #include "21_known.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/spherical_sampling.h"
 #include "check.h"
 

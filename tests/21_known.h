@@ -31,7 +31,7 @@
 #ifndef DISTRIBUTED_KNOWN_H
 #define DISTRIBUTED_KNOWN_H
 
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/21_distributed/distributed.h"
 
 typedef enum {

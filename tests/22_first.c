@@ -1,7 +1,7 @@
 /* 22's first.h: the answers of solid_angle.h and sphere_irradiance.h, by formula and by directions;
  * and small caps and sunk balls, where it has none. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "22_inputs.h"

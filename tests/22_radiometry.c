@@ -2,6 +2,7 @@
  * wrong ones refuted; photons on floors; pixels counted; four ways of sampling; photometry. Fixed
  * seeds; each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
 #include "../common/lab/chi_square.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/pictures.h"
 #include "../chapters/22_radiometry/lab/directions.h"
 #include "../chapters/22_radiometry/photometry.h"

@@ -2,6 +2,7 @@
  * tests against the constant pdf, t-tests against closed forms, tiny, huge, grazing and touching
  * ones. Fixed seeds; a random test alarms falsely once in 1e8 seeds; there are fewer than 100. */
 #include "../common/lab/chi_square.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/directions.h"
 #include "check.h"
 

@@ -4,7 +4,7 @@
 #include "../chapters/23_brdf/lab/brdf_naive.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "../common/lab/chi_square.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "check.h"
 
 #define alarm 1e-8

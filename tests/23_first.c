@@ -1,6 +1,6 @@
 /* 23's first.h: the answers of brdf.h and of its reflection equation; and lobes that lose light, or
  * their digits. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/23_brdf/first.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "check.h"

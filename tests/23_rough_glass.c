@@ -1,6 +1,6 @@
 /* 23_brdf: rough glass: reciprocity between two media, energy, samples against the pdf, and the
  * limit of smooth glass (19). Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/23_brdf/rough_glass.h"
 #include "../common/lab/chi_square.h"
 #include "check.h"
@@ -21,12 +21,15 @@ static vec3 random_direction(uint64_t i, uint64_t which, bool below)
     return w;
 }
 
+/* The same surface from the other side. */
+static rough_glass turned(rough_glass g) { return (rough_glass){g.alpha, g.n2, g.n1}; }
+
 enum { specimens = 8 };
 static rough_glass specimen(int i)
 {
     static const double alpha[specimens] = {1, 0.5, 0.3, 0.1, 1, 0.5, 0.3, 0.1};
     rough_glass g = {(real)alpha[i], 1, (real)1.5};
-    return i < 4 ? g : rough_glass_turned(g);
+    return i < 4 ? g : turned(g);
 }
 
 static bool draw(const rough_glass *g, vec3 wo, uint64_t i, vec3 *wi, real *weight)
@@ -43,7 +46,7 @@ static void test_reciprocity(void)
     size_t some = 0;
     for (int i = 0; i < specimens; i++)
         for (uint64_t k = 0; k < check_count(4000); k++) {
-            rough_glass g = specimen(i), back = rough_glass_turned(g);
+            rough_glass g = specimen(i), back = turned(g);
             bool through = k % 2;
             vec3 wo = random_direction(k, 0, false), wi = random_direction(k, 1, through), m;
             double f = (double)rough_glass_value(&g, wi, wo) / (double)(g.n1 * g.n1), other, c = 1;
@@ -184,7 +187,7 @@ static void test_smooth(void)
         for (int side = 0; side < 2; side++)
             for (int k = 1; k < 10; k += 2) {
                 rough_glass g = {(real)alphas[i], 1, (real)1.5};
-                if (side) g = rough_glass_turned(g);
+                if (side) g = turned(g);
                 vec3 wo = at_angle(k / 10.0, 1), up = {0, 0, 1}, wt = {0, 0, 0}, wi;
                 snell s;
                 bool can = snell_of(vneg(wo), up, g.n1, g.n2, &s);

@@ -1,7 +1,7 @@
 /* Tests of 24_direct_light: every way of drawing against closed forms (22), hard cases, rays that
  * are not traced, and the naive ways failing. Fixed seeds; each t-test alarms falsely once in 1e8
  * seeds, all of them together once in 1e6. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"

@@ -1,7 +1,7 @@
 /* 24's first.h: both ways against the full version's on the same walls, and against closed forms;
  * the noise of each where the other is better; the box. Fixed seeds; a t-test alarms falsely once
  * in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"

@@ -1,6 +1,6 @@
 /* Tests of 24_direct_light: lit_scene.h against brute force and 18, emitter.h against closed forms
  * and by chi-square, mis.h. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "../chapters/24_direct_light/environment.h"

@@ -5,7 +5,7 @@
 #include "../chapters/25_bounces/lab/notes_shade.h"
 #include "25_radiosity.h"
 #include "../chapters/25_bounces/terms.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "check.h"
 

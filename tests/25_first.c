@@ -1,6 +1,6 @@
 /* 25's first.h: its terms against those of terms.h, and against a furnace; its
  * rays against (25.9). Fixed seeds; each comparison by chance alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/25_bounces/first.h"
 #include "../chapters/25_bounces/series.h"

@@ -2,7 +2,7 @@
  * roulette, its noise, its options. Fixed seeds; a comparison alarms falsely once in 1e8 seeds. */
 static char directory[] = "/tmp/26_first_XXXXXX";
 #include "program.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/26_path_tracer/first.h"
 #include "../chapters/26_path_tracer/path.h"

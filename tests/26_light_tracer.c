@@ -1,6 +1,6 @@
 /* Tests of 26_path_tracer: light against eye. Paths from the lamp and paths from the eye must find
  * the same radiance in every block of pixels. Fixed seeds; false alarms: once in 1e7 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/26_path_tracer/lab/light_picture.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"
 #include "check.h"

@@ -3,7 +3,7 @@
 static char directory[] = "/tmp/26_state_XXXXXX";
 #include "program.h"
 #include "../common/output.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/26_path_tracer/lab/command.h"
 
 /* ---- tally ---- */

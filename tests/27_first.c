@@ -1,7 +1,7 @@
 /* 27's first.h: each effect's rule on scenes built for it; that what the plan leaves out brings
  * nothing, byte for byte, and takes no ray; what is left is what 18, 19 and 26 see. Fixed seeds;
  * each comparison by chance alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 #include "../chapters/26_path_tracer/first.h"
 #include "../chapters/27_effects/first.h"
 #include "check.h"

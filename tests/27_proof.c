@@ -9,7 +9,7 @@ static char directory[] = "/tmp/27_proof_XXXXXX";
 #include "27_files.h"
 #include "../chapters/27_effects/draw.h"
 #include "../chapters/27_effects/plan.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 
 enum { across = 8, down = 6, proof_room = 1 << 14, proof_scenes = 20000 };
 

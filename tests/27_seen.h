@@ -14,7 +14,7 @@
 
 #include "27_files.h"
 #include "../chapters/27_effects/lab/tax.h"
-#include "../chapters/20_monte_carlo/t_test.h"
+#include "../common/lab/t_test.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -130,10 +130,6 @@ static inline interval interval_min(interval a, interval b)
     if (interval_is_empty(a)) return a;
     return (interval){a.lo < b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi};
 }
-static inline interval interval_max(interval a, interval b)
-{
-    return interval_neg(interval_min(interval_neg(a), interval_neg(b)));
-}
 
 static inline interval interval_hull(interval a, interval b)
 {

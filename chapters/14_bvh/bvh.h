@@ -32,12 +32,6 @@ static inline const bvh_tree *bvh_tree_of(const bvh *b)
     return b->x.m ? &b->mesh.tree : &b->shapes.tree;
 }
 
-/* Which item the k-th of the leaves, from left to right, is. */
-static inline uint32_t bvh_item_at(const bvh *b, size_t k)
-{
-    return b->x.m ? b->mesh.triangle[k].index : b->shapes.index[k];
-}
-
 static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure *f)
 {
     *out = (bvh){.x = *x};

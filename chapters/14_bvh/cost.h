@@ -3,7 +3,6 @@
  *   tree_cost c = tree_cost_of(&t);
  *   c.nodes, c.tests    pairs of boxes and items that a random line through the root tests, if
  *                       no hit ends the search                                            (14.7)
- *   tree_pierced(&t, r, &work)    counts both for one line: tests no item, stops at no hit
  *
  *      nodes   = sum over inner nodes of  area(node) / area(root)
  *      tests   = sum over leaves of       area(leaf) / area(root) * items in it
@@ -35,27 +34,6 @@ static inline tree_cost tree_cost_of(const bvh_tree *t)
         else c.nodes += part;
     }
     return c;
-}
-
-static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q,
-                                   search_work *w)
-{
-    float exit;
-    if (box_enter(&n->box, q, INFINITY, &exit) > exit) return;
-    if (n->count) {
-        w->leaves++, w->tests += n->count;
-        return;
-    }
-    w->nodes++;
-    tree_pierced_at(t, t->node + n->first, q, w);
-    tree_pierced_at(t, t->node + n->first + 1, q, w);
-}
-
-static inline void tree_pierced(const bvh_tree *t, ray r, search_work *work)
-{
-    if (t->items == 0 || !ray_is_usable(r)) return;
-    box_ray q = box_ray_of(r, &t->node[0].box, NULL);
-    tree_pierced_at(t, t->node, &q, work);
 }
 
 #endif

@@ -37,6 +37,7 @@
 #define INSTANCES_H
 
 #include "build.h"
+#include "normals.h"
 
 typedef struct { hit h; uint32_t instance; } instance_hit;
 

@@ -29,8 +29,8 @@
 #ifndef MONTE_CARLO_IMPORTANCE_H
 #define MONTE_CARLO_IMPORTANCE_H
 
+#include "../../common/numbers/estimate.h"
 #include "../../common/random.h"
-#include "estimate.h"
 #include "sampling.h"
 
 /* ---------------------------------------------------------------------------------------------- */

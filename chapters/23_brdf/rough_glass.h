@@ -23,7 +23,6 @@
  *   bool some = rough_glass_sample(&g, wo, u, v, coin, &wi, &weight)     u, v, coin in [0,1)
  *        weight: (23.26), cosine and pdf are in it; false: the facet sends it to the wrong side, or
  *        wo does not see the surface: its weight is 0
- *   g = rough_glass_turned(g)                      the same surface from the other side
  *
  * Directions are local, unit, away from the surface; wo.z > 0. alpha below ggx_least_alpha: that;
  * n1 = n2: no boundary, wi = -wo, and no density can name it: f = pdf = 0.
@@ -40,11 +39,6 @@
 typedef struct { real alpha, n1, n2; } rough_glass;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline rough_glass rough_glass_turned(rough_glass g)
-{
-    return (rough_glass){g.alpha, g.n2, g.n1};
-}
 
 /* What a facet m reflects of wo: F, and how the rest of it goes on. */
 static inline real rough_glass_fresnel(const rough_glass *g, vec3 wo, vec3 m, snell *s)

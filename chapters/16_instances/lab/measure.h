@@ -9,6 +9,7 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../09_aabb/trials/survey.h"
+#include "flattened.h"
 #include "forest.h"
 
 /* A forest, its crowd, its instances with tight boxes, the rays from the eye to measure with. */

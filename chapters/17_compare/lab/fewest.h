@@ -12,7 +12,7 @@
 #ifndef COMPARE_LAB_FEWEST_H
 #define COMPARE_LAB_FEWEST_H
 
-#include "../proof.h"
+#include "proof.h"
 
 enum { fewest_patience = 30 };  /* builds of the size of all; most are smaller */
 

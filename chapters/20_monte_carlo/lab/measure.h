@@ -17,9 +17,9 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../../../common/lab/t_test.h"
 #include "../../../common/parallel.h"
 #include "../importance.h"
-#include "../t_test.h"
 #include "integrands.h"
 
 /* ---- how fast errors fall ---- */

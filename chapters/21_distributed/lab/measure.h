@@ -9,7 +9,7 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../../20_monte_carlo/t_test.h"
+#include "../../../common/lab/t_test.h"
 #include "pictures.h"
 
 enum { measure_methods = 3, measure_levels = 4 };

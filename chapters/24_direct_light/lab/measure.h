@@ -7,7 +7,7 @@
 #ifndef DIRECT_MEASURE_H
 #define DIRECT_MEASURE_H
 
-#include "../../20_monte_carlo/estimate.h"
+#include "../../../common/numbers/estimate.h"
 #include "../../22_radiometry/polygon_irradiance.h"
 #include "survey.h"
 

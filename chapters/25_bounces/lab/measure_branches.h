@@ -11,7 +11,7 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
-#include "../../20_monte_carlo/estimate.h"
+#include "../../../common/numbers/estimate.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
 #include "../branching.h"
 #include "../terms.h"

@@ -9,7 +9,7 @@
 #ifndef EFFECTS_COMMAND_H
 #define EFFECTS_COMMAND_H
 
-#include "../../20_monte_carlo/estimate.h"
+#include "../../../common/numbers/estimate.h"
 #include "../../26_path_tracer/long_run.h"
 #include "price.h"
 #include "six.h"

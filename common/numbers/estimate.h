@@ -12,7 +12,7 @@
  *
  *   call                  cannot do                                        so
  *   estimate_variance(e)  fewer than two samples: nothing is known         infinity
- *   first_variance(s)     subtracts nearly equal numbers (first.h)         may be negative
+ *   first_variance(s)     subtracts nearly equal numbers (20's)            may be negative
  *
  * An estimate counts in double whatever real is: 2^24 samples are nothing here, and a float that
  * has reached 2^24 no longer grows by ones (sum.h). A sample that is NaN or infinite spoils the
@@ -22,10 +22,10 @@
  * Technometrics 4(3), 1962; T. Chan, G. Golub, R. LeVeque, "Algorithms for computing the sample
  * variance", The American Statistician 37(3), 1983 (merging, and how the naive form fails).
  */
-#ifndef MONTE_CARLO_ESTIMATE_H
-#define MONTE_CARLO_ESTIMATE_H
+#ifndef ESTIMATE_H
+#define ESTIMATE_H
 
-#include "../../common/vec3.h"
+#include "../vec3.h"
 #include <stddef.h>
 
 typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of (x_i - mean)^2 */

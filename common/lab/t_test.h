@@ -9,9 +9,7 @@
  *
  *   double p = t_test(e, truth, rounding);   p < 1e-6: it is not; false-alarm rate 1e-6
  *   double p = welch_test(a, b);         the same mean? Variances unknown and different (Welch)
- *   double h = mean_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
- *   line_fit f = fit_line(x, y, n);      least squares; a slope and how far to trust it
- *   f.slope -+ slope_interval(f, 0.95)
+ *   line_fit f = fit_line(x, y, n);      least squares; a slope and its standard error
  *
  *   t_above(t, k)   P(|T| >= |t|)      k: degrees of freedom
  *
@@ -20,16 +18,16 @@
  * of m tests the chance of any false alarm is at most m times that of each.
  *
  * What it can't see: with an infinite variance the standard error is too small most of the time,
- * and the estimate is "wrong" with confidence (importance.h).
+ * and the estimate is "wrong" with confidence (20's importance.h).
  *
  * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; K. Subr, J. Arvo,
  * "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics 2007.
  */
-#ifndef MONTE_CARLO_T_TEST_H
-#define MONTE_CARLO_T_TEST_H
+#ifndef T_TEST_H
+#define T_TEST_H
 
-#include "estimate.h"
-#include "../../common/numbers/incomplete.h"
+#include "../numbers/estimate.h"
+#include "../numbers/incomplete.h"
 
 typedef struct { double slope, intercept, slope_error; size_t n; } line_fit;
 
@@ -50,18 +48,6 @@ static inline double welch_test(estimate a, estimate b)
     return t_above((a.mean - b.mean) / sqrt(va + vb), k);
 }
 
-/* The t with t_above(t, k) = p, for p in (0, 1): halving an interval until it can't get smaller. */
-static inline double t_quantile(double p, double k)
-{
-    double lo = 0, hi = 1;
-    while (t_above(hi, k) > p && hi < 1e300) lo = hi, hi *= 2;
-    for (double t = (lo + hi) / 2; t > lo && t < hi; t = (lo + hi) / 2) {
-        if (t_above(t, k) > p) lo = t;
-        else hi = t;
-    }
-    return hi;
-}
-
 /* Fewer than two samples prove nothing: p = 1. A NaN: p = 0. */
 static inline double t_test(estimate e, double truth, double rounding)
 {
@@ -69,12 +55,6 @@ static inline double t_test(estimate e, double truth, double rounding)
     if (isnan(off) || isnan(e.squares)) return 0;
     if (off <= rounding || e.n < 2) return 1;
     return t_above((off - rounding) / estimate_error(e), (double)(e.n - 1));
-}
-
-static inline double mean_interval(estimate e, double confidence)
-{
-    if (e.n < 2) return (double)INFINITY;
-    return t_quantile(1 - confidence, (double)(e.n - 1)) * estimate_error(e);
 }
 
 /* y = intercept + slope x, the sum of the squared residuals being least; n >= 2 different x. */
@@ -90,12 +70,6 @@ static inline line_fit fit_line(const double *x, const double *y, size_t n)
     }
     f.slope_error = n > 2 ? sqrt(rest / (double)(n - 2) / xx) : (double)INFINITY;
     return f;
-}
-
-static inline double slope_interval(line_fit f, double confidence)
-{
-    return f.n > 2 ? t_quantile(1 - confidence, (double)(f.n - 2)) * f.slope_error
-                   : (double)INFINITY;
 }
 
 #endif

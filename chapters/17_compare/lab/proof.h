@@ -8,11 +8,11 @@
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
  * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays.
  */
-#ifndef COMPARE_PROOF_H
-#define COMPARE_PROOF_H
+#ifndef COMPARE_LAB_PROOF_H
+#define COMPARE_LAB_PROOF_H
 
-#include "../09_aabb/trials/aimed.h"
-#include "contenders.h"
+#include "../../09_aabb/trials/aimed.h"
+#include "../contenders.h"
 
 typedef struct {
     ray r;
