@@ -76,6 +76,17 @@ static inline bool structure_is_full(size_t n, size_t named, double wanted, doub
 /* A NaN, an infinite origin or no direction: such a ray hits nothing, and no search begins. */
 static inline bool ray_is_usable(ray r) { return vfinite(r.o) && vfinite(r.d) && !vzero(r.d); }
 
+/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. D: the
+ * longest component of a direction. */
+static inline real direction_scale(real longest)
+{
+    int e = 0;
+    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
+    (void)frexp(longest, &e);
+    int most = real_is_float ? 100 : 1000;
+    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
+}
+
 static inline query query_of(ray r) { return (query){r, shear_of(r), hit_none}; }
 
 /* (10.1) [scene units]; a little even where everything is 0. */

@@ -113,15 +113,6 @@ static inline vec3 kd_place(const kd_frame *f, vec3 p)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. */
-static inline real kd_unit(real longest)
-{
-    int e = 0, most = real_is_float ? 100 : 1000;
-    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
-    (void)frexp(longest, &e);
-    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
-}
-
 static inline float kd_ray_limit(const kd_ray *q, real t)
 {
     real x = t * q->unit * q->scale + q->slack;
@@ -142,7 +133,7 @@ static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, in
         reach = real_max(fabs((real)box->hi[k] - vaxis(o, k)), reach);
     }
     real delta = reach * ((real)0x1p-21 + 512 * real_epsilon) + (real)0x1p-100;  /* (12.6) */
-    q->unit = kd_unit(fabs(vaxis(r.d, vlongest(r.d)))), q->scale = frame->scale;
+    q->unit = direction_scale(fabs(vaxis(r.d, vlongest(r.d)))), q->scale = frame->scale;
     /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
      * from the numbers below FLT_MIN, with which processors are slow. */
     q->slack = real_smallest * q->unit * q->scale + (real)0x1p-100;

@@ -51,14 +51,8 @@ static inline real bsp_limit(const bsp_ray *b, real t) { return t * b->scale + b
 static inline bool bsp_ray_of(const bsp *b, ray r, real pads, bsp_ray *out)
 {
     real longest = fabs(vaxis(r.d, vlongest(r.d))), delta = query_delta(r, b->all);
-    out->scale = 1, out->slack = real_smallest;
-    if (!(longest >= (real)0x1p-20 && longest <= (real)0x1p20)) {  /* rare */
-        int e, most = real_is_float ? 100 : 1000;
-        (void)frexp(longest, &e);
-        out->scale = ldexp((real)1, e > most ? most : e < -most ? -most : e);
-        out->slack *= out->scale;
-        r.d = vscale(r.d, 1 / out->scale);
-    }
+    out->scale = direction_scale(longest), out->slack = real_smallest * out->scale;
+    if (out->scale != 1) r.d = vscale(r.d, 1 / out->scale);
     out->o = vsub(r.o, b->middle), out->d = r.d;
     out->pad = pads * delta;
     out->t0 = r.tmin * out->scale - out->slack, out->t1 = bsp_limit(out, r.tmax);

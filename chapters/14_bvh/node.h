@@ -41,7 +41,7 @@
 #ifndef BVH_NODE_H
 #define BVH_NODE_H
 
-#include "../04_triangle/triangle.h"
+#include "../09_aabb/structure.h"
 #include "../../common/numbers/float_round.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -128,16 +128,6 @@ static inline real box_reach(const bvh_box *b, vec3 o)
     return reach;
 }
 
-/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. */
-static inline real box_ray_scale(real longest)
-{
-    int e = 0;
-    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
-    (void)frexp(longest, &e);
-    int most = real_is_float ? 100 : 1000;
-    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
-}
-
 __attribute__((always_inline))  /* a call writes 80 bytes and reads them again: 10 % of a ray */
 static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
 {
@@ -146,7 +136,7 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
     real longest = fabs(vaxis(r.d, vlongest(r.d)));
     real reach = box_reach(all, r.o);
     real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
-    q.scale = box_ray_scale(longest);
+    q.scale = direction_scale(longest);
     /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
      * from the numbers below FLT_MIN, with which processors are slow: 10 ns a ray. */
     q.slack = real_smallest * q.scale + (real)0x1p-100;

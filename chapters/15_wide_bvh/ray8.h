@@ -121,7 +121,7 @@ static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
     vec3 o = bvh8_into(w, q->r->o), d = q->r->d;
     if (!ray_is_usable(*q->r)) return false;
     real way = real_max(fabs(vaxis(o, vlongest(o))), 1);
-    real s = box_ray_scale(fabs(vaxis(d, vlongest(d)))), t;
+    real s = direction_scale(fabs(vaxis(d, vlongest(d)))), t;
     d = vscale(d, 1 / s), q->scale *= (double)s, t = -vdot(o, d) / vdot(d, d);
     if (way > 8 && fabs(t) <= real_largest) o = vmadd(o, d, t), q->shift = (double)t;
     bvh8_ray_from(w, q, o, d, real_max(fabs(vaxis(o, vlongest(o))), 1), way);

@@ -219,8 +219,8 @@ static inline real polygon_irradiance(const vec3 *v, int count, vec3 p, vec3 n)
     int e = needed_scale(far);
     if (e) {
         vec3 scaled[polygon_most];
-        for (int i = 0; i < count; i++) scaled[i] = vldexp(v[i], e);
-        return polygon_irradiance(scaled, count, vldexp(p, e), n);
+        for (int i = 0; i < count; i++) scaled[i] = vscaled_by(v[i], e);
+        return polygon_irradiance(scaled, count, vscaled_by(p, e), n);
     }
     for (int i = 0; i + 2 < count; i++)
         volume[i] = -triangle_volume((triangle){v[0], v[i + 1], v[i + 2]}, p);
@@ -230,7 +230,7 @@ static inline real polygon_irradiance(const vec3 *v, int count, vec3 p, vec3 n)
 static inline real rectangle_irradiance(rectangle r, vec3 p, vec3 n)
 {
     int e = needed_scale(rectangle_far(r, p));
-    if (e) return rectangle_irradiance(rectangle_scaled(r, e), vldexp(p, e), n);
+    if (e) return rectangle_irradiance(rectangle_scaled(r, e), vscaled_by(p, e), n);
     seen_polygon s = rectangle_seen(r, p);
     real half = -rectangle_volume(r, p), volume[2] = {half, half};
     return seen_irradiance(&s, volume, n);

@@ -34,6 +34,7 @@
 #ifndef RADIOMETRY_SOLID_ANGLE_H
 #define RADIOMETRY_SOLID_ANGLE_H
 
+#include "../01_ray/affine.h"
 #include "../03_sphere/sphere.h"
 #include "../20_monte_carlo/sampling.h"
 #include "first.h"
@@ -53,14 +54,9 @@ static inline int needed_scale(real far)
     return -e;
 }
 
-static inline vec3 vldexp(vec3 a, int e)
-{
-    return (vec3){ldexp(a.x, e), ldexp(a.y, e), ldexp(a.z, e)};
-}
-
 static inline sphere sphere_scaled(sphere s, int e)
 {
-    return (sphere){vldexp(s.c, e), ldexp(s.r, e)};
+    return (sphere){vscaled_by(s.c, e), ldexp(s.r, e)};
 }
 
 /* ---- cap, sphere ---- */
@@ -82,7 +78,7 @@ static inline direction_cone sphere_cone(sphere s, vec3 p)
 {
     real d = vlength(vsub(s.c, p)), r = fabs(s.r), power = (d - r) * (d + r);
     int e = needed_scale(real_max(d, r));
-    if (e) return sphere_cone(sphere_scaled(s, e), vldexp(p, e));
+    if (e) return sphere_cone(sphere_scaled(s, e), vscaled_by(p, e));
     if (fabs(power) < d * d / 16) power = sphere_power_at(s, p);
     if (power < 0) return (direction_cone){1};
     if (d == 0) return (direction_cone){0};
@@ -235,7 +231,7 @@ static inline void rectangle_solid_angles(rectangle r, vec3 p, real *one, real *
 
 static inline rectangle rectangle_scaled(rectangle r, int e)
 {
-    return (rectangle){vldexp(r.o, e), vldexp(r.s, e), vldexp(r.t, e)};
+    return (rectangle){vscaled_by(r.o, e), vscaled_by(r.s, e), vscaled_by(r.t, e)};
 }
 
 /* The longest side or way from p to o. */

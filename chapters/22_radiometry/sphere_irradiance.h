@@ -101,7 +101,7 @@ static inline real sphere_irradiance(sphere s, vec3 p, vec3 n)
     vec3 f = vsub(s.c, p);
     real r = fabs(s.r), d = vlength(f), power = (d - r) * (d + r);
     int e = needed_scale(real_max(d, r));
-    if (e) return sphere_irradiance(sphere_scaled(s, e), vldexp(p, e), n);
+    if (e) return sphere_irradiance(sphere_scaled(s, e), vscaled_by(p, e), n);
     if (fabs(power) < d * d / 2) power = sphere_power_at(s, p);
     if (d == 0) return r > 0 ? pi : 0;
     return sphere_view_irradiance((sphere_view){r, vlength(vcross(n, f)), vdot(n, f), power});

@@ -59,7 +59,8 @@ static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
     vec3 a = vsub(t.a, p), b = vsub(t.b, p), c = vsub(t.c, p);
     int e = needed_scale(real_max(vlength(a), real_max(vlength(b), vlength(c))));
     if (e) {
-        t = (triangle){vldexp(t.a, e), vldexp(t.b, e), vldexp(t.c, e)}, p = vldexp(p, e);
+        t = (triangle){vscaled_by(t.a, e), vscaled_by(t.b, e), vscaled_by(t.c, e)};
+        p = vscaled_by(p, e);
         return spherical_triangle_of(t, p);
     }
     return spherical_triangle_from(a, b, c, triangle_volume(t, p), triangle_solid_angle(t, p));
@@ -127,7 +128,7 @@ static inline urena_map urena_map_of(rectangle r, vec3 p)
 static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
 {
     int e = needed_scale(rectangle_far(r, p));
-    if (e) return spherical_rectangle_of(rectangle_scaled(r, e), vldexp(p, e));
+    if (e) return spherical_rectangle_of(rectangle_scaled(r, e), vscaled_by(p, e));
     vec3 a = vsub(r.o, p), b = vadd(a, r.s), d = vadd(a, r.t), c = vadd(b, r.t);
     real volume = rectangle_volume(r, p), one, two;
     rectangle_solid_angles(r, p, &one, &two);
