@@ -46,32 +46,14 @@ static inline void bvh_free(bvh *b)
     *b = (bvh){.x = {NULL, NULL, 0}};
 }
 
-static inline bool bvh_hit(const bvh *b, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool bvh_search(const bvh *b, ray r, bool any, hit *out, search_work *work)
 {
-    return b->x.m ? bvh_mesh_hit(&b->mesh, r, out) : bvh_shapes_hit(&b->shapes, r, out);
+    return b->x.m ? bvh_mesh_search(&b->mesh, r, any, out, work)
+                  : bvh_shapes_search(&b->shapes, r, any, out, work);
 }
 
-static inline bool bvh_occluded(const bvh *b, ray r)
-{
-    return b->x.m ? bvh_mesh_occluded(&b->mesh, r) : bvh_shapes_occluded(&b->shapes, r);
-}
-
-static inline bool bvh_counted(const bvh *b, ray r, bool any, hit *out, search_work *w)
-{
-    return b->x.m
-        ? tree_search(&b->mesh.tree, r, box_ray_of, bvh_mesh_leaf, &b->mesh, any, out, w)
-        : tree_search(&b->shapes.tree, r, box_ray_of, bvh_shapes_leaf, &b->shapes, any, out, w);
-}
-
-static inline bool bvh_hit_counted(const bvh *b, ray r, hit *out, search_work *w)
-{
-    return bvh_counted(b, r, false, out, w);
-}
-
-static inline bool bvh_occluded_counted(const bvh *b, ray r, search_work *w)
-{
-    return bvh_counted(b, r, true, NULL, w);
-}
+STRUCTURE_VERBS(bvh)
 
 /* A leaf is never empty. References are more than items where cuts go through items. */
 static inline structure_stats bvh_stats(const bvh *b)

@@ -44,10 +44,10 @@ eight_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *
                               search_work *work)
 {
 #if EIGHT_X86
-    if (w->dialect == EIGHT_AVX512) return bvh8_search_2(w, r, &skip, out, work);
-    if (w->dialect == EIGHT_AVX2) return bvh8_search_1(w, r, &skip, out, work);
+    if (w->dialect == EIGHT_AVX512) return bvh8_find_2(w, r, &skip, out, work);
+    if (w->dialect == EIGHT_AVX2) return bvh8_find_1(w, r, &skip, out, work);
 #endif
-    return bvh8_search_0(w, r, &skip, out, work);
+    return bvh8_find_0(w, r, &skip, out, work);
 }
 
 /* Field by field: ray8.h says why. */
@@ -67,25 +67,13 @@ eight_inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
     return bvh8_ask(w, r, skip, NULL, NULL);
 }
 
-static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
+__attribute__((always_inline))
+static inline bool bvh8_search(const bvh8 *w, ray r, bool any, hit *out, search_work *work)
 {
-    return bvh8_ask(w, r, bvh8_skip_none, out, NULL);
+    return bvh8_ask(w, r, bvh8_skip_none, any ? NULL : out, work);
 }
 
-static inline bool bvh8_occluded(const bvh8 *w, ray r)
-{
-    return bvh8_ask(w, r, bvh8_skip_none, NULL, NULL);
-}
-
-static inline bool bvh8_hit_counted(const bvh8 *w, ray r, hit *out, search_work *work)
-{
-    return bvh8_ask(w, r, bvh8_skip_none, out, work);
-}
-
-static inline bool bvh8_occluded_counted(const bvh8 *w, ray r, search_work *work)
-{
-    return bvh8_ask(w, r, bvh8_skip_none, NULL, work);
-}
+STRUCTURE_VERBS(bvh8)
 
 static inline structure_stats bvh8_stats(const bvh8 *w)
 {

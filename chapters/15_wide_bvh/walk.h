@@ -1,6 +1,6 @@
 /* walk.h: the search of the tree. Compiled once in each dialect, by dialects.h: no guard.
  *
- *   bool EIGHT(bvh8_search)(w, &r, &skip, &h, work)    the closest hit; h NULL: is there any? work:
+ *   bool EIGHT(bvh8_find)(w, &r, &skip, &h, work)    the closest hit; h NULL: is there any? work:
  *                                                      counts what it took; NULL: does not
  *
  * A node's eight boxes are tested at once. Of those that the ray meets the nearest is next; the
@@ -151,8 +151,8 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
 }
 
 EIGHT_TARGET __attribute__((noinline))
-static bool EIGHT(bvh8_search)(const bvh8 *w, const ray *r, const bvh8_skip *skip, hit *out,
-                               search_work *work)
+static bool EIGHT(bvh8_find)(const bvh8 *w, const ray *r, const bvh8_skip *skip, hit *out,
+                             search_work *work)
 {
     bvh8_ray q;
     if (!bvh8_ray_of(w, r, skip, &q) || w->nodes == 0) return false;

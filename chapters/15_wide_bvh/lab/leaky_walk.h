@@ -1,4 +1,4 @@
-/* leaky_walk.h: bvh8_search of walk.h, which believes what it has computed. Compiled once in each
+/* leaky_walk.h: bvh8_find of walk.h, which believes what it has computed. Compiled once in each
  * dialect, by dialects.h: no guard.
  */
 EIGHT_TARGET __attribute__((noinline))
