@@ -23,6 +23,8 @@ static instances built(const crowd *c, instances_boxes boxes)
     return x;
 }
 
+static size_t never_hit(const instances *x) { return x->n - x->tree.items; }
+
 /* Turned, scaled along three axes by up to `unlike` apart, mirrored every third time, moved. */
 static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
 {
@@ -491,7 +493,7 @@ static void test_sick_transforms(void)
         }
     }
     instances x = built(&s.c, INSTANCES_POINTS);
-    check_equal(instances_stats(&x).hidden, hidden, "sick transforms are left out");
+    check_equal(never_hit(&x), hidden, "sick transforms are left out");
     memcpy(well, s.list, sizeof well);
     for (size_t i = 1; i < s.c.n; i += 2) well[i].to_world = affine_translation((vec3){99, 99, 99});
     crowd w = {s.mesh, 3, well, s.c.n};
@@ -537,7 +539,7 @@ static void test_nearly_singular(bool wire)
               "2^-%d thick: seen only where (16.3) holds, g <= 1/4", e);
         for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
             instances x = built(&c, b);
-            if (instances_stats(&x).hidden) {
+            if (never_hit(&x)) {
                 if (!first_hidden) first_hidden = e;
                 instances_free(&x);
                 continue;
@@ -589,7 +591,7 @@ static void test_beyond_all_numbers(void)
     for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
         instances x = built(&c, b);
         verdict v = {0, 0, 0, 0};
-        check_equal(instances_stats(&x).hidden, 0, "it has an inverse");
+        check_equal(never_hit(&x), 0, "it has an inverse");
         for (size_t i = 0; i < 200; i++) {
             random_stream g = random_start(63, i, 0);
             real at;
@@ -639,7 +641,7 @@ static void test_scales(void)
             *a = affine_then(*a, affine_scaling((vec3){size, size, size}));
         }
         instances x = built(&s.c, INSTANCES_POINTS);
-        check_equal(instances_stats(&x).hidden, 0, "nothing is lost by its size");
+        check_equal(never_hit(&x), 0, "nothing is lost by its size");
         verdict v = compare_aimed(&s.c, &x, check_count(240), (vec3){0, 0, 0}, 2 * size, 62);
         check_equal(v.wrong + v.wrong_any, 0, "scene of size %g", (double)size);
         check_at_least(v.hits, v.rays / 4, "scene of size %g: rays hit", (double)size);
@@ -658,9 +660,8 @@ static void test_peak(void)
         list[i] = (instance){affine_translation((vec3){(real)(3 * i), 0, 0}), 0};
     crowd c = {&m, 1, list, n};
     instances x = built(&c, INSTANCES_POINTS);
-    instance_stats s = instances_stats(&x);
-    check_at_least(s.peak, s.lower_bytes + s.upper_bytes + n * sizeof *x.place, "peak");
-    check_at_most(s.peak, 3 * (s.lower_bytes + s.upper_bytes), "and not out of all proportion");
+    check_at_least(x.peak, x.bytes + n * sizeof *x.place, "peak");
+    check_at_most(x.peak, 3 * x.bytes, "and not out of all proportion");
     instances_free(&x), mesh_free(&m), free(list);
 }
 
@@ -686,7 +687,7 @@ static void test_none(void)
     crowd c = {both, 2, list, 2};
     x = built(&c, INSTANCES_POINTS);
     check(instances_hit(&x, r, &h) && h.instance == 1 && h.h.t == 8, "beside an empty mesh");
-    check_equal(instances_stats(&x).hidden, 1, "one is never hit");
+    check_equal(never_hit(&x), 1, "one is never hit");
     instances_free(&x);
     instances_free(&x);
     instances_free(&zero);
@@ -876,19 +877,16 @@ static void test_invariants(void)
     for (uint32_t i = 0; i < 50; i++)
         check(i == 7 || (x.place[x.where[i]].index == i && x.place[x.where[i]].mesh == i % 3),
               "where and place");
-    instance_stats st = instances_stats(&x);
     double triangles = 17 * (double)s.mesh[0].triangles + 16  /* (7 is of floors) */
         * (double)s.mesh[1].triangles
         + 16 * (double)s.mesh[2].triangles;
-    check_equal(st.triangles, triangles, "triangles of all instances");
-    check_equal(st.instances, 50, "instances"), check_equal(st.hidden, 1, "hidden");
-    int deepest = 0;
-    for (int k = 0; k < 3; k++)
-        deepest = x.lower[k].tree.depth > deepest ? x.lower[k].tree.depth : deepest;
-    check_equal(st.lower_depth, deepest, "the deepest tree of a mesh");
-    check_at_most(st.upper_bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
+    check_equal(instances_stats(&x).triangles, triangles, "triangles of all instances");
+    check_equal(never_hit(&x), 1, "hidden");
+    size_t bytes = x.tree.bytes;
+    for (int k = 0; k < 3; k++) bytes += x.lower[k].tree.bytes;
+    check_at_most(x.tree.bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
                   "memory: a place, a number, and two nodes an instance");
-    check_equal(st.upper_bytes + st.lower_bytes, x.bytes, "bytes add up");
+    check_equal(bytes, x.bytes, "bytes add up");
     instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     instance_hit h, same_h;
     ray r = ray_from((vec3){0, 0, -9}, vec(0.01, 0.02, 1));

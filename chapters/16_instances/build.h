@@ -42,10 +42,8 @@ typedef struct {
 } instances;
 
 typedef struct {
-    size_t instances, hidden, meshes;   /* hidden: never hit */
-    double triangles;                   /* of all instances: what flattening would have to store */
-    int upper_depth, lower_depth;
-    size_t upper_bytes, lower_bytes, mesh_bytes, peak;
+    double triangles;     /* of all instances: what flattening would have to store */
+    size_t mesh_bytes;
 } instance_stats;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -170,16 +168,10 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
 
 static inline instance_stats instances_stats(const instances *x)
 {
-    instance_stats s = {.instances = x->n, .hidden = x->n - x->tree.items, .meshes = x->meshes,
-                        .upper_depth = x->tree.depth, .upper_bytes = x->tree.bytes,
-                        .peak = x->peak};
+    instance_stats s = {0, 0};
     for (size_t i = 0; i < x->tree.items; i++)
         s.triangles += (double)x->mesh[x->place[i].mesh].triangles;
-    for (size_t k = 0; k < x->meshes; k++) {
-        const bvh_tree *t = &x->lower[k].tree;
-        s.lower_bytes += t->bytes, s.mesh_bytes += mesh_bytes(&x->mesh[k]);
-        s.lower_depth = t->depth > s.lower_depth ? t->depth : s.lower_depth;
-    }
+    for (size_t k = 0; k < x->meshes; k++) s.mesh_bytes += mesh_bytes(&x->mesh[k]);
     return s;
 }
 

@@ -31,7 +31,7 @@ static inline void draw_forest(const options *o, bool naive)
     instance_stats s = instances_stats(&x);
     if (!naive)
         printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
-               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", s.instances, s.meshes, s.triangles,
+               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", x.n, x.meshes, s.triangles,
                (double)(x.bytes + s.mesh_bytes) * 0x1p-20, built - start, o->width, o->height,
                samples * samples, clock_seconds() - built);
     output_picture(o, &im, naive ? "16_instances_unit.png" : "16_instances.png", !naive, whole);
