@@ -62,28 +62,28 @@ static inline void transport_apply(const transport *t, const double *L, double *
     }
 }
 
-static inline void transport_term(const transport *t, int k, double *out)
+/* out = E, and then k times out = K out, + E if that is asked for. */
+static inline void transport_go(const transport *t, int k, bool sum, double *out)
 {
     double *old = allocate((size_t)t->n, sizeof *old);
     for (int i = 0; i < t->n; i++) out[i] = t->E[i];
     for (; k > 0; k--) {
         for (int i = 0; i < t->n; i++) old[i] = out[i];
         transport_apply(t, old, out);
+        for (int i = 0; sum && i < t->n; i++) out[i] += t->E[i];
     }
     free(old);
+}
+
+static inline void transport_term(const transport *t, int k, double *out)
+{
+    transport_go(t, k, false, out);
 }
 
 /* S_0 = E, S_k = E + K S_(k-1): what the recursion of the notes computes, from the inside out. */
 static inline void transport_sum(const transport *t, int k, double *out)
 {
-    double *old = allocate((size_t)t->n, sizeof *old);
-    for (int i = 0; i < t->n; i++) out[i] = t->E[i];
-    for (; k > 0; k--) {
-        for (int i = 0; i < t->n; i++) old[i] = out[i];
-        transport_apply(t, old, out);
-        for (int i = 0; i < t->n; i++) out[i] += t->E[i];
-    }
-    free(old);
+    transport_go(t, k, true, out);
 }
 
 /* Largest pivot in column c, from row c on: its row. */
