@@ -10,7 +10,6 @@
  *
  *   vec3 L = sky_radiance(&s, d)     what comes from direction d, of any length > 0
  *   bool sky_lights(&s)              is there an environment that is not black? O(pixels)
- *   sky_aim(&s, up, degrees)         its axes: front is turned about up
  *   sky_free(&s)
  *
  *   sky_light l;                     directions towards it, drawn so that little noise is left:
@@ -35,7 +34,7 @@ typedef struct {
     vec3 low, high;
     vec3 up, front, right;  /* unit, at right angles */
     real scale;             /* of the picture */
-    image picture;          /* owned; rgb is finite and not negative (see sky_check) */
+    image picture;          /* owned; rgb is finite and not negative */
 } effects_sky;
 
 typedef struct { const effects_sky *s; environment picture; bool by_picture; } sky_light;
@@ -46,19 +45,6 @@ static inline void sky_free(effects_sky *s)
 {
     image_free(&s->picture);
     *s = (effects_sky){.kind = SKY_NONE};
-}
-
-/* Unturned, the middle of the picture is seen along the first axis that is not up, backwards:
- * -z with y up, as a camera looks that was not turned; +y with z up. */
-static inline void sky_aim(effects_sky *s, int up, real degrees)
-{
-    static const int axis[3][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 0, -1}},
-                                      {{0, 0, 1}, {0, 1, 0}}};
-    const int (*a)[3] = axis[up];
-    s->up = vec(a[0][0], a[0][1], a[0][2]);
-    vec3 front = {(real)a[1][0], (real)a[1][1], (real)a[1][2]};
-    s->front = degrees == 0 ? front : vturned(front, s->up, degrees * (pi / 180));
-    s->right = vcross(s->front, s->up);
 }
 
 /* (27.10). The comparisons come before the conversion, and a NaN becomes pixel 0. */
@@ -100,18 +86,6 @@ static inline bool sky_lights(const effects_sky *s)
         for (size_t i = 0; i < n && s->scale > 0; i++)
             if (s->picture.rgb[i] > 0) return true;
     }
-    return false;
-}
-
-/* The first pixel that is no radiance (NaN, negative, too large to be summed); false: none. */
-static inline bool sky_bad_pixel(const image *im, int *x, int *y)
-{
-    size_t n = 3 * (size_t)im->width * (size_t)im->height;
-    for (size_t i = 0; i < n; i++)
-        if (!(im->rgb[i] >= 0 && im->rgb[i] <= 1e30f)) {
-            *x = (int)(i / 3 % (size_t)im->width), *y = (int)(i / 3 / (size_t)im->width);
-            return true;
-        }
     return false;
 }
 

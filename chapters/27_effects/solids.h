@@ -1,6 +1,5 @@
 /* solids.h: solids cut from solids (06) as things of a scene: what a ray hits there.
  *
- *   if (!solid_read(&x, "difference(..)", &f)) fail(f);     "character 14: ..": expression.h of 06
  *   csg_hit(&x.c, r, &h)                        h.shape is a surface of the solid
  *   surface s = solid_surface(&x, r, h)         n points out of what is left, also in a cut; with
  *                                               the error bounds of 18, for leave.h
@@ -21,21 +20,11 @@
 typedef struct { uint32_t file, line; } cite;  /* file 0: nobody said it; line 0: the whole file */
 typedef struct { csg_expression e; csg c; uint32_t material; cite at; } studio_solid;
 
-enum { solids_most = 64 };
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void solid_free(studio_solid *x)
 {
     csg_free(&x->c), csg_expression_free(&x->e);
-}
-
-static inline bool solid_read(studio_solid *x, const char *text, failure *f)
-{
-    if (!csg_read(text, &x->e, f)) return false;
-    if (csg_build(csg_expression_model(&x->e), (csg_options){0}, &x->c, f)) return true;
-    csg_expression_free(&x->e);
-    return false;
 }
 
 static inline bool solid_bounds(const studio_solid *x, vec3 *lo, vec3 *hi)

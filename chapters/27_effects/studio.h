@@ -106,10 +106,6 @@ enum {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Room for one more in s->ARRAY, which has n of them. */
-#define studio_grow(s, array, n) \
-    ((s)->array = grown((s)->array, n, &(s)->array##_room, sizeof *(s)->array))
-
 static inline void studio_palette_free(studio_palette *p)
 {
     name_table_free(&p->names);
@@ -129,29 +125,6 @@ static inline void studio_free(studio *s)
     free(s->placed);
     free(s->placing), free(s->light), free(s->emitter), free(s->notes);
     *s = (studio){.up = 0};
-}
-
-/* Something to tell whoever reads the scene: kept, not an error. */
-__attribute__((format(printf, 2, 3)))
-static inline void studio_note(studio *s, const char *format, ...)
-{
-    char text[480];
-    va_list arguments;
-    if (s->note_count++ >= studio_most_notes) return;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    while (s->note_size + sizeof text >= s->note_room)  /* the old text is note_room long */
-        s->notes = grown(s->notes, s->note_room, &s->note_room, 1);
-    for (const char *p = text; *p; p++)
-        s->notes[s->note_size++] = (char)((unsigned char)*p < ' ' || *p == 127 ? '?' : *p);
-    s->notes[s->note_size++] = '\n', s->notes[s->note_size] = 0;
-}
-
-/* The note just made is more than that: something will not look as it was meant to. */
-static inline void studio_warns(studio *s)
-{
-    if (s->note_count <= studio_most_notes) s->warned |= (uint32_t)1 << (s->note_count - 1);
 }
 
 static inline const char *studio_said(const studio *s, cite c, char *text, size_t room)

@@ -18,7 +18,7 @@
 #define EFFECTS_FINISH_H
 
 #include "../appearance.h"
-#include "../patch.h"
+#include "patch.h"
 #include "studio_add.h"
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -15,7 +15,7 @@
 #define EFFECTS_NFF_STUDIO_H
 
 #include "../../07_mesh/files/nff.h"
-#include "../patch.h"
+#include "patch.h"
 #include "mtl.h"
 
 typedef struct {

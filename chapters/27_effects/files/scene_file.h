@@ -158,6 +158,16 @@ static inline bool scene_mesh(statement *q)
     return true;
 }
 
+enum { solids_most = 64 };
+
+static inline bool solid_read(studio_solid *x, const char *text, failure *f)
+{
+    if (!csg_read(text, &x->e, f)) return false;
+    if (csg_build(csg_expression_model(&x->e), (csg_options){0}, &x->c, f)) return true;
+    csg_expression_free(&x->e);
+    return false;
+}
+
 /* solid NAME difference(..): the rest of the line goes to the reader of 06. */
 static inline bool scene_solid(statement *q)
 {
@@ -188,6 +198,18 @@ static inline bool scene_instance(statement *q)
     if (!scene_placing(q, &a)) return false;
     studio_place(q->s, m, a, q->material, q->at);
     return true;
+}
+
+/* The first pixel that is no radiance (NaN, negative, too large to be summed); false: none. */
+static inline bool sky_bad_pixel(const image *im, int *x, int *y)
+{
+    size_t n = 3 * (size_t)im->width * (size_t)im->height;
+    for (size_t i = 0; i < n; i++)
+        if (!(im->rgb[i] >= 0 && im->rgb[i] <= 1e30f)) {
+            *x = (int)(i / 3 % (size_t)im->width), *y = (int)(i / 3 / (size_t)im->width);
+            return true;
+        }
+    return false;
 }
 
 static inline bool scene_picture(statement *q, effects_sky *out)

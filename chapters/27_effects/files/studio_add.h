@@ -8,6 +8,7 @@
  *   uint32_t k = studio_add_mesh(&s, mesh, run_material, file, smooth)   takes both over
  *   studio_place(&s, k, to_world, m, cite)                 shows mesh k; m: if no usemtl says more
  *   studio_add_light(&s, light, classic, cite)
+ *   studio_note(&s, format, ..), studio_warns(&s)          something to tell; .. that matters
  *   FILE *in = studio_open(&s, path, &f)                   counted; NULL: no file, or too many
  */
 #ifndef EFFECTS_STUDIO_ADD_H
@@ -17,6 +18,33 @@
 #include "../studio.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* Room for one more in s->ARRAY, which has n of them. */
+#define studio_grow(s, array, n) \
+    ((s)->array = grown((s)->array, n, &(s)->array##_room, sizeof *(s)->array))
+
+/* Something to tell whoever reads the scene: kept, not an error. */
+__attribute__((format(printf, 2, 3)))
+static inline void studio_note(studio *s, const char *format, ...)
+{
+    char text[480];
+    va_list arguments;
+    if (s->note_count++ >= studio_most_notes) return;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    while (s->note_size + sizeof text >= s->note_room)  /* the old text is note_room long */
+        s->notes = grown(s->notes, s->note_room, &s->note_room, 1);
+    for (const char *p = text; *p; p++)
+        s->notes[s->note_size++] = (char)((unsigned char)*p < ' ' || *p == 127 ? '?' : *p);
+    s->notes[s->note_size++] = '\n', s->notes[s->note_size] = 0;
+}
+
+/* The note just made is more than that: something will not look as it was meant to. */
+static inline void studio_warns(studio *s)
+{
+    if (s->note_count <= studio_most_notes) s->warned |= (uint32_t)1 << (s->note_count - 1);
+}
 
 /* ---- materials ---- */
 
@@ -42,6 +70,19 @@ static inline uint32_t studio_palette_find(const studio_palette *p, const char *
 {
     uint32_t k = name_find(&p->names, name);
     return k == name_none ? name_none : p->number[k];
+}
+
+/* Unturned, the middle of the picture is seen along the first axis that is not up, backwards:
+ * -z with y up, as a camera looks that was not turned; +y with z up. */
+static inline void sky_aim(effects_sky *s, int up, real degrees)
+{
+    static const int axis[3][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 0, -1}},
+                                      {{0, 0, 1}, {0, 1, 0}}};
+    const int (*a)[3] = axis[up];
+    s->up = vec(a[0][0], a[0][1], a[0][2]);
+    vec3 front = {(real)a[1][0], (real)a[1][1], (real)a[1][2]};
+    s->front = degrees == 0 ? front : vturned(front, s->up, degrees * (pi / 180));
+    s->right = vcross(s->front, s->up);
 }
 
 /* ---- things ---- */

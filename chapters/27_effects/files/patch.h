@@ -17,7 +17,7 @@
 #ifndef EFFECTS_PATCH_H
 #define EFFECTS_PATCH_H
 
-#include "../07_mesh/polygon.h"
+#include "../../07_mesh/polygon.h"
 
 enum { patch_most = 256 };
 
