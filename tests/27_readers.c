@@ -612,6 +612,24 @@ static void test_scene_broken(void)
     refused("x.scene", star, "x.scene", 2, "x.scene:2: Ke: of a concave polygon of 258", "to 256");
 }
 
+/* A picture that is black, or scaled to black, is no light. */
+static void test_black_sky(void)
+{
+    static const char *const text[] = {"environment one.pfm\n", "environment one.pfm scale 0\n",
+                                       "environment black.pfm\n"};
+    put_bytes("one.pfm", "PF 1 1 -1\n\0\0\x80\x3f\0\0\0\0\0\0\0\0", 22);
+    put_bytes("black.pfm", "PF 1 1 -1\n\0\0\0\0\0\0\0\0\0\0\0\0", 22);
+    for (int k = 0; k < 3; k++) {
+        studio s;
+        failure f;
+        put("x.scene", text[k]);
+        check(read_scene("x.scene", &s, &f), "%s", f.text);
+        vec3 L = sky_radiance(&s.sky, (vec3){0, 0, 1});
+        check(sky_lights(&s.sky) == (k == 0) && L.x == (k == 0), "%s: %g", text[k], (double)L.x);
+        studio_free(&s);
+    }
+}
+
 /* A box is closed and its faces look outwards: volume by the divergence theorem, also mirrored and
  * turned: 1/3 sum of area (n.p). Listed materials have an appearance each, and all are in use. */
 static void test_box(void)
@@ -705,6 +723,7 @@ int main(void)
     test_scene();
     test_words();
     test_scene_broken();
+    test_black_sky();
     test_box();
     test_includes();
     remove_directory();

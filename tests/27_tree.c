@@ -378,28 +378,28 @@ static void test_moved_lamp(void)
 /* A direction drawn by the picture has the light and the pdf that a ray there finds. */
 static void test_sky(void)
 {
-    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4), .up = {0, 1, 0},
-             .front = {0.6, 0, -0.8}, .right = {0.8, 0, 0.6}};
+    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .up = {0, 1, 0}, .front = {0.6, 0, -0.8},
+                     .right = {0.8, 0, 0.6}};
     failure f;
-    sky_light l;
+    image im = image_new(8, 4);
     size_t seen = 0, other = 0, likely = 0;
     for (int i = 0; i < 32; i++)
-        image_set(&s.picture, i % 8, i / 8, vec((1 + i), (40 - i), 1));
-    check(sky_light_build(&s, &l, &f), "%s", f.text);
+        image_set(&im, i % 8, i / 8, vec((1 + i), (40 - i), 1));
+    check(environment_of_image(&im, &s.picture, &f), "%s", f.text);
     for (int i = 0; i < 4000; i++) {
         random_stream r = random_start(6, (uint64_t)i, 0);
         lit_draw x;
         real u = random_next(&r);
-        if (!sky_light_sample(&l, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
+        if (!sky_sample(&s, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
             continue;
         vec3 L = sky_radiance(&s, x.wi);
         seen++, other += vlength(vsub(L, x.Le)) > 8 * real_epsilon * vlength(L);
-        likely += !(fabs(sky_light_pdf(&l, x.wi, 1) - x.pdf) <= 64 * real_epsilon * x.pdf);
+        likely += !(fabs(sky_pdf(&s, x.wi, 1) - x.pdf) <= 64 * real_epsilon * x.pdf);
     }
     check_at_least(seen, 1500, "directions in the half that n looks into");
     check_at_most((double)other, real_is_float ? 2 : 0, "with another light: at edges of pixels");
     check_at_most((double)likely, real_is_float ? 2 : 0, "with another pdf");
-    sky_light_free(&l), image_free(&s.picture);
+    sky_free(&s), image_free(&im);
 }
 
 /* What solid_surface says of a wall of radius 2 and of a plane 3 from 0; what counts as a

@@ -213,7 +213,7 @@ effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool
 __attribute__((noinline))
 static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
 {
-    const sky_light *sky = &h->e->sky;
+    const effects_sky *sky = &h->e->s->sky;
     point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_GLOSSY);  /* it has no such branch */
     gather_hit alone = *h;
     lit_draw x = {.far = true, .emitter = lit_dark};
@@ -222,9 +222,9 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     alone.k = &k;
     if (!brdf_sample(h->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
         return none;
-    x.per = x.pdf, x.Le = sky->s->kind == SKY_NONE ? none : sky_radiance(sky->s, x.wi);
+    x.per = x.pdf, x.Le = sky->kind == SKY_NONE ? none : sky_radiance(sky, x.wi);
     return gather_sample(&alone, mask, true, RAY_TO_SKY, &x,
-                         sky_light_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
+                         sky_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
 }
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
@@ -245,9 +245,9 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     }
     if (mask & EFFECT_ENVIRONMENT) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
-        bool seen = sky_light_sample(&e->sky, h->s.ns, u, &x);
+        bool seen = sky_sample(&e->s->sky, h->s.ns, u, &x);
         if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
-            seen = e->sky.by_picture && sky_light_sample(&e->sky, vneg(h->s.ns), u, &x);
+            seen = e->s->sky.kind == SKY_IMAGE && sky_sample(&e->s->sky, vneg(h->s.ns), u, &x);
         bool shines = !vzero(k->highlight) && vzero(k->mirror);
         real q = shines && seen ? brdf_pdf(h->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
         if (seen) sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x, q));
@@ -270,14 +270,13 @@ effects_inline real gather_found(const unsigned mask, const branch *b, unsigned 
 /* Nothing is met. A background is for the eye, also in mirrors: it lights nobody. */
 effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, const branch *b)
 {
-    const effects_sky *s = e->sky.s;
+    const effects_sky *s = &e->s->sky;
     vec3 L = sky_radiance(s, b->r.d);
     if (s->kind == SKY_NONE) {
         if (b->bounced) return (vec3){0, 0, 0};
     } else if (mask & (EFFECT_INDIRECT | EFFECT_GLOSSY))
-        L = vscale(L, gather_found(mask, b, EFFECT_ENVIRONMENT,
-                                    b->pdf < real_infinity
-                                        ? sky_light_pdf(&e->sky, b->r.d, b->cosine) : 0));
+        L = vscale(L, gather_found(mask, b, EFFECT_ENVIRONMENT, b->pdf < real_infinity
+                                        ? sky_pdf(s, b->r.d, b->cosine) : 0));
     if (mask & EFFECT_ABSORPTION)  /* an endless way through what absorbs */
         L = vmul(L, gather_left(e, &b->in, real_infinity));
     return L;

@@ -55,7 +55,6 @@ typedef struct {
     light *light;
     int lights;
     lamp_list lamp;
-    sky_light sky;
     unsigned mask;                   /* effects, and SPEND, GENERAL, DICED */
     bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
@@ -73,7 +72,6 @@ static inline void effects_stage_free(effects_stage *e)
 {
     studio_tree_free(&e->t);
     lamps_free(&e->lamp);
-    sky_light_free(&e->sky);
     free(e->look), free(e->lobe), free(e->near), free(e->media), free(e->light);
     *e = (effects_stage){.s = NULL};
 }
@@ -107,10 +105,6 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
     *out = (effects_stage){.s = s, .depth = stage_most_depth, .least = (real)1 / 512,
                             .headlight = studio_dark(s)};
     if (!studio_tree_build(s, &out->t, f)) return false;
-    if (!sky_light_build(&s->sky, &out->sky, f)) {
-        studio_tree_free(&out->t);
-        return false;
-    }
     lamps_build(&out->t, &out->lamp);
     effects_stage_materials(out);
     out->lights = (int)s->lights;

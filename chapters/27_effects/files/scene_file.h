@@ -201,7 +201,7 @@ static inline bool scene_instance(statement *q)
 }
 
 /* The first pixel that is no radiance (NaN, negative, too large to be summed); false: none. */
-static inline bool sky_bad_pixel(const image *im, int *x, int *y)
+static inline bool scene_bad_pixel(const image *im, int *x, int *y)
 {
     size_t n = 3 * (size_t)im->width * (size_t)im->height;
     for (size_t i = 0; i < n; i++)
@@ -217,6 +217,7 @@ static inline bool scene_picture(statement *q, effects_sky *out)
     char path[word_longest_path];
     real turn = 0;
     struct stat what;
+    image im = {0, 0, NULL};
     int x, y;
     if (!scene_path(q, path)) return false;
     out->scale = 1;
@@ -227,13 +228,14 @@ static inline bool scene_picture(statement *q, effects_sky *out)
         return failed(q->f, 2, "%.300s: too many files, allowed: %d", path, studio_most_files);
     if (stat(path, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode))
         return failed(q->f, 1, "%.300s: cannot read: not a file on a disk", path);
-    if (!image_read(path, &out->picture, q->f)) return false;
+    if (!image_read(path, &im, q->f)) return false;
     name_add(&q->s->files, path);
-    if (sky_bad_pixel(&out->picture, &x, &y)) {
-        image_free(&out->picture);
-        return failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 to 1e+30", path, x, y);
-    }
-    out->kind = SKY_IMAGE;
+    bool bad = scene_bad_pixel(&im, &x, &y);
+    if (bad) failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 to 1e+30", path, x, y);
+    bool shines = !bad && out->scale > 0 && environment_of_image(&im, &out->picture, NULL);
+    out->kind = shines ? SKY_IMAGE : SKY_CONSTANT;  /* black everywhere */
+    image_free(&im);
+    if (bad) return false;
     sky_aim(out, q->s->up, turn);
     return true;
 }
@@ -256,7 +258,7 @@ static inline bool scene_environment(statement *q)
         now.high = n == 2 ? (vec3){c[1], c[1], c[1]} : n == 6 ? (vec3){c[3], c[4], c[5]} : now.low;
         sky_aim(&now, q->s->up, 0);
     }
-    image_free(&q->s->sky.picture);
+    environment_free(&q->s->sky.picture);
     q->s->sky = now, q->s->sky_said = q->at;
     return true;
 }
