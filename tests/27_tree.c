@@ -390,7 +390,7 @@ static void test_sky(void)
         random_stream r = random_start(6, (uint64_t)i, 0);
         lit_draw x;
         real u = random_next(&r);
-        if (!sky_sample(&s, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
+        if (!sky_draw(&s, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
             continue;
         vec3 L = sky_radiance(&s, x.wi);
         seen++, other += vlength(vsub(L, x.Le)) > 8 * real_epsilon * vlength(L);

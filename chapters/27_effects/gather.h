@@ -245,9 +245,9 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     }
     if (mask & EFFECT_ENVIRONMENT) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
-        bool seen = sky_sample(&e->s->sky, h->s.ns, u, &x);
+        bool seen = sky_draw(&e->s->sky, h->s.ns, u, &x);
         if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
-            seen = e->s->sky.kind == SKY_IMAGE && sky_sample(&e->s->sky, vneg(h->s.ns), u, &x);
+            seen = e->s->sky.kind == SKY_IMAGE && sky_draw(&e->s->sky, vneg(h->s.ns), u, &x);
         bool shines = !vzero(k->highlight) && vzero(k->mirror);
         real q = shines && seen ? brdf_pdf(h->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
         if (seen) sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x, q));

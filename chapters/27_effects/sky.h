@@ -9,7 +9,7 @@
  *
  *   vec3 L = sky_radiance(&s, d)     what comes from direction d, of any length > 0
  *   bool sky_lights(&s)              is there an environment that is not black?
- *   sky_sample(&s, n, u, &x)         a direction towards it, as a lit_draw of 24: of a picture by
+ *   sky_draw(&s, n, u, &x)           a direction towards it, as a lit_draw of 24: of a picture by
  *                                    its luminance (24.15), else by the cosine; false: it counts,
  *                                    and is 0
  *   real q = sky_pdf(&s, d, cosine)  the same for any d; cosine = n.d > 0
@@ -65,7 +65,7 @@ static inline bool sky_lights(const effects_sky *s)
     return s->kind == SKY_IMAGE || (s->kind != SKY_NONE && !(vzero(s->low) && vzero(s->high)));
 }
 
-static inline bool sky_sample(const effects_sky *s, vec3 n, point2 u, lit_draw *out)
+static inline bool sky_draw(const effects_sky *s, vec3 n, point2 u, lit_draw *out)
 {
     out->emitter = lit_dark, out->far = true;
     if (s->kind == SKY_IMAGE) {
