@@ -22,12 +22,9 @@ static void use(const studio *s)
     failure f;
     plan p = plan_of(s);
     if (studio_camera(s, 1, &v, &c, &f)) explain(nowhere, s, &p, &v);
-    for (uint32_t i = 0; i < s->emitters; i++) {
-        studio_face e = s->emitter[i];
-        uint32_t m = e.place == no_shape ? s->shape_material[e.index]
-                                         : studio_material_of(s, e.place, e.index);
-        if (vzero(s->material[m].ke)) check(false, "an emitter that does not emit");
-    }
+    for (size_t i = 0; i < s->emitters; i++)
+        if (vzero(s->material[studio_emitter_material(s, i)].ke))
+            check(false, "an emitter that does not emit");
     plan_free(&p);
 }
 

@@ -3,7 +3,7 @@
  * Oracles: the table of (27.3) by hand; scenes with one effect each; projection of 02.
  */
 #include "../chapters/27_effects/framing.h"
-#include "../chapters/27_effects/plan.h"
+#include "../chapters/27_effects/lab/explain.h"
 #include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/23_brdf/brdf.h"
 #include "../common/random.h"
@@ -201,12 +201,14 @@ static void test_effects(void)
         plan p = plan_of(&s);
         check(p.effects == list[i].effects, "effects %x, expected %x: %s", p.effects,
               list[i].effects, list[i].text);
-        check(p.integrator == list[i].how, "%s: %s", integrator_names[p.integrator], list[i].text);
+        integrator how = integrator_of(p.effects);
+        check(how == list[i].how, "%s: %s", integrator_names[how], list[i].text);
         bool dark = !strstr(list[i].text, "colour 9") && !strstr(list[i].text, "colour 1")
             && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY)
             && !strstr(list[i].text, "environment 1");
         check(studio_dark(&s) == dark, "a lamp of its own if no light is there: %s", list[i].text);
-        for (int k = 0; k < effect_kinds; k++) check(p.why[k][0], "each effect has its reason");
+        for (int k = 0; k < effect_kinds; k++)
+            check(explain_why(&p, k).text[0], "each effect has its reason");
         unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
         for (uint32_t m = 0; m < s.materials; m++)
             if (s.material[m].used) sum |= plan_effects(&p, m);
@@ -228,7 +230,7 @@ static void test_reasons(void)
         studio s;
         if (!read_text(list[i].text, &s)) continue;
         plan p = plan_of(&s);
-        check_text(p.why[list[i].kind], list[i].why, "%s", list[i].text);
+        check_text(explain_why(&p, list[i].kind).text, list[i].why, "%s", list[i].text);
         plan_free(&p), studio_free(&s);
     }
 }
@@ -414,10 +416,10 @@ static void test_wrong_rules(void)
     memcpy(rules, plan_rules, sizeof rules);
     for (size_t i = 0; i < plan_rule_count; i++)
         if (rules[i].effect & (EFFECT_MIRROR | EFFECT_GLOSSY)) rules[i].holds = never;
-    plan p = plan_of_rules(&s, rules, plan_rule_count);
+    plan p = plan_of_rules(&s, rules);
     check(p.effects & EFFECT_MIRROR && p.effects & EFFECT_GLOSSY, "called for by wrong rules");
-    check_text(p.why[RAY_MIRRORED], "no material", "a mirror that is none");
-    check_text(p.why[RAY_GLOSSY], "no material", "a lobe that is none");
+    check_text(explain_why(&p, RAY_MIRRORED).text, "no material", "a mirror that is none");
+    check_text(explain_why(&p, RAY_GLOSSY).text, "no material", "a lobe that is none");
     plan_free(&p), studio_free(&s);
 }
 

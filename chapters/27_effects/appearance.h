@@ -1,6 +1,7 @@
 /* appearance.h: what the numbers of a material mean for light: `illum` says what they call for.
  *
  *   appearance a = appearance_of(&s.material[m]);      colours; black: not called for
+ *   appearance *look = appearances_of(&s)              of all materials; free
  *
  *   illum     matte          highlight  mirror or glossy  through                            (27.3)
  *   0         - (Kd is drawn as it is, unlit: `flat`)
@@ -41,7 +42,7 @@ typedef struct {
     bool fresnel, bends, solid;
     real excess;                 /* > 1: colours were divided by it */
     bool lobe;                   /* highlight or glossy */
-    unsigned calls;              /* effects that its parts take */
+    unsigned calls;              /* effects that its parts take; 0: it is black */
 } appearance;
 
 enum { appearance_mirror_ns = 1000 };
@@ -86,13 +87,17 @@ static inline bool appearance_lit(const appearance *a)
     return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy) || a->rough > 0;
 }
 
+/* Bounds a body of glass. */
+static inline bool appearance_body(const appearance *a) { return a->solid && !vzero(a->through); }
+
 /* What its parts take, once they are known: a ray's hit asks for no others. */
 static inline void appearance_note(appearance *a)
 {
     a->lobe = !vzero(a->highlight) || !vzero(a->glossy);
     a->calls = (appearance_lit(a) ? EFFECTS_LIT : 0) | (vzero(a->matte) ? 0 : EFFECT_INDIRECT)
         | (vzero(a->glossy) && !(a->rough > 0) ? 0 : EFFECT_GLOSSY)
-        | (vzero(a->mirror) ? 0 : EFFECT_MIRROR) | (vzero(a->through) ? 0 : EFFECT_REFRACTION);
+        | (vzero(a->mirror) ? 0 : EFFECT_MIRROR) | (vzero(a->through) ? 0 : EFFECT_REFRACTION)
+        | (appearance_body(a) && !vzero(a->absorb) ? EFFECT_ABSORPTION : 0);
 }
 
 static inline appearance appearance_classic(const studio_material *m)
@@ -142,13 +147,11 @@ static inline appearance appearance_of(const studio_material *m)
     return a;
 }
 
-/* Bounds a body of glass. */
-static inline bool appearance_body(const appearance *a) { return a->solid && !vzero(a->through); }
-
-/* Nothing of what falls on it goes anywhere. */
-static inline bool appearance_black(const appearance *a)
+static inline appearance *appearances_of(const studio *s)
 {
-    return !appearance_lit(a) && vzero(a->mirror) && vzero(a->through);
+    appearance *look = allocate(s->materials, sizeof *look);
+    for (size_t m = 0; m < s->materials; m++) look[m] = appearance_of(&s->material[m]);
+    return look;
 }
 
 #endif

@@ -51,7 +51,6 @@ static inline bool framing_find(const studio *s, real aspect, studio_view *out, 
 static inline bool studio_camera(const studio *s, real aspect, studio_view *view, camera *out,
                                  failure *f)
 {
-    char said[300];
     camera_frame c;
     failure why;
     *view = s->view, *out = (camera){.kind = CAMERA_PERSPECTIVE};
@@ -59,8 +58,7 @@ static inline bool studio_camera(const studio *s, real aspect, studio_view *view
         return failed(f, 2, "%.300s: %.150s", name_text(&s->files, s->files.n > 1), why.text);
     if (frame_look_at(view->from, view->at, view->up, &c, &why)
         && camera_perspective(c, view->angle, aspect, out, &why)) return true;
-    return failed(f, 2, "%.300s: camera: %.150s", studio_said(s, view->said, said, sizeof said),
-                  why.text);
+    return failed(f, 2, "%.300s: camera: %.150s", studio_said(s, view->said).text, why.text);
 }
 
 static inline real studio_focus(const studio *s, const studio_view *v)

@@ -86,12 +86,11 @@ static inline void effects_stage_materials(effects_stage *e)
 {
     const studio *s = e->s;
     const vec3 black = {0, 0, 0}, white = {1, 1, 1};
-    e->look = allocate(s->materials, sizeof *e->look);
+    e->look = appearances_of(s);
     e->lobe = allocate(s->materials, sizeof *e->lobe);
     e->media = allocate(s->materials + 1, sizeof *e->media);
     e->media[0] = (medium){1, black, 0};
     for (size_t m = 0; m < s->materials; m++) {
-        e->look[m] = appearance_of(&s->material[m]);
         const appearance *a = &e->look[m];
         e->lobe[m] = brdf_blinn_phong(black, white, a->exponent);
         e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};

@@ -9,11 +9,12 @@
  *   light[0 .. lights-1]       lights without size (18); emitter[0 .. emitters-1]: faces with Ke
  *   view, lens, sky            camera, its lens, and what is behind everything
  *
- *   m = studio_material_of(&s, place, triangle)  its material: O(log runs)
+ *   m = studio_material_of(&s, place, triangle)  its material: O(log runs); no_shape, shape: too
+ *   m = studio_emitter_material(&s, i)           of emitter i
  *   studio_bounds(&s, &lo, &hi)                  false: nothing there
  *   studio_stands(&s, place)                     placed as it is in its file, not moved
  *   studio_dark(&s)                              no light that is not black
- *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
+ *   studio_said(&s, cite).text                   "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
  *
  * studio_read (studio_read.h) fills it in; nothing changes afterwards, so threads may share it.
@@ -98,6 +99,8 @@ typedef struct {
     size_t files_read;
 } studio;
 
+typedef struct { char text[300]; } cite_words;
+
 enum {
     studio_most_files = 256,       /* read in all, so that files that include each other end */
     studio_most_notes = 20,        /* kept; the rest is counted */
@@ -127,12 +130,12 @@ static inline void studio_free(studio *s)
     *s = (studio){.up = 0};
 }
 
-static inline const char *studio_said(const studio *s, cite c, char *text, size_t room)
+static inline cite_words studio_said(const studio *s, cite c)
 {
-    if (c.file == 0) snprintf(text, room, "(default)");
-    else if (c.line == 0) snprintf(text, room, "%s", name_text(&s->files, c.file));
-    else snprintf(text, room, "%s:%u", name_text(&s->files, c.file), (unsigned)c.line);
-    return text;
+    cite_words w = {"(default)"};
+    if (c.file) snprintf(w.text, sizeof w.text, c.line ? "%s:%u" : "%s",
+                         name_text(&s->files, c.file), (unsigned)c.line);
+    return w;
 }
 
 static inline const char *studio_material_name(const studio *s, uint32_t m)
@@ -144,10 +147,16 @@ static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s-
 
 static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint32_t k)
 {
+    if (place == no_shape) return s->shape_material[k];
     uint32_t m = s->placed[place].mesh;
     size_t run = mesh_run_of(&s->mesh[m], k);
     uint32_t of = run ? s->paint[m].run_material[run - 1] : name_none;
     return of == name_none ? s->placing[place].material : of;
+}
+
+static inline uint32_t studio_emitter_material(const studio *s, size_t i)
+{
+    return studio_material_of(s, s->emitter[i].place, s->emitter[i].index);
 }
 
 /* No light at all: then each ray of the eye carries a lamp, or the picture would be black. */

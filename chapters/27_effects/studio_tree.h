@@ -209,9 +209,7 @@ static inline const studio_solid *studio_hit_solid(const studio_tree *t, studio_
 static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
 {
     const studio_solid *of = studio_hit_solid(t, x);
-    if (of) return of->material;
-    return x.place == no_shape ? t->s->shape_material[x.h.shape]
-                               : studio_material_of(t->s, x.place, x.h.shape);
+    return of ? of->material : studio_material_of(t->s, x.place, x.h.shape);
 }
 
 /* Which of the moved a place is: they are in the order of the places; t.moved.n: it stands. */

@@ -77,7 +77,6 @@ static inline bool finish_mesh(studio *s, uint32_t number, failure *f)
 /* (27.4) */
 static inline bool finish_classic_lights(studio *s, failure *f)
 {
-    char said[300];
     vec3 lo, hi, middle = s->view.at;
     if (!s->view.given && studio_bounds(s, &lo, &hi))
         middle = vmadd(vscale(lo, 0.5), hi, 0.5);
@@ -88,7 +87,7 @@ static inline bool finish_classic_lights(studio *s, failure *f)
         l->colour = vscale(l->colour, pi * D * D);
         if (!vfinite(l->colour))
             return failed(f, 2, "%s: l: too far away: no number holds its intensity, allowed: "
-                          "nearer", studio_said(s, s->light[i].at, said, sizeof said));
+                          "nearer", studio_said(s, s->light[i].at).text);
     }
     return true;
 }
@@ -98,12 +97,11 @@ static inline bool finish_classic_lights(studio *s, failure *f)
 static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what, bool opaque,
                                   cite at, failure *f)
 {
-    char said[300];
     studio_material *m = &s->material[made_of];
     bool through = opaque && !vzero(appearance_of(m).through);
     if (!through && vzero(m->ke)) return false;
     failed(f, 2, "%s: %s: '%.60s' %s, allowed: materials that do not",
-           studio_said(s, at, said, sizeof said), what, studio_material_name(s, made_of),
+           studio_said(s, at).text, what, studio_material_name(s, made_of),
            through ? "lets light through" : "emits light");
     return true;
 }
@@ -119,7 +117,6 @@ static inline bool finish_is_parallelogram(const polygon *g)
 static inline bool finish_lamp(studio *s, uint32_t i, failure *f)
 {
     const polygon g = s->shape[i].polygon;
-    char said[300];
     uint32_t m = s->shape_material[i], *k = NULL;
     if (finish_is_parallelogram(&g)) return true;
     k = allocate(g.n, 3 * sizeof *k);
@@ -131,18 +128,17 @@ static inline bool finish_lamp(studio *s, uint32_t i, failure *f)
     }
     free(k);
     return n || failed(f, 2, "%s: Ke: of a concave polygon of %u corners, allowed: of up to %d",
-                       studio_said(s, s->material[m].said[KEY_KE], said, sizeof said),
+                       studio_said(s, s->material[m].said[KEY_KE]).text,
                        (unsigned)g.n, patch_most);
 }
 
 static inline bool finish_rough(const studio *s, failure *f)
 {
-    char said[300];
     for (uint32_t m = 0; m < s->materials; m++) {
         if (!(s->material[m].roughness > 0) || appearance_of(&s->material[m]).rough > 0) continue;
         return failed(f, 2, "%s: roughness: '%.60s' is no glass, allowed: 0, or with illum 7, Tf "
                       "above 0, Ni not 1; of what reflects alone say Ns",
-                      studio_said(s, s->material[m].said[KEY_ROUGHNESS], said, sizeof said),
+                      studio_said(s, s->material[m].said[KEY_ROUGHNESS]).text,
                       studio_material_name(s, m));
     }
     return true;

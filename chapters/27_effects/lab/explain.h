@@ -1,6 +1,7 @@
 /* explain.h: the plan in words: --explain.
  *
  *   explain(stdout, &s, &p, &view)
+ *   explain_why(&p, k).text          why effect k got its verdict: the rule, or what calls for it
  *   explain_warnings(stderr, &s)     what nobody should miss: a library that is not there, no thing
  *
  *   scene        what there is, and from where
@@ -37,14 +38,100 @@ static inline void explain_say(FILE *out, const char *format, ...)
     fputc('\n', out);
 }
 
+/* ---- why: the plan in words ---- */
+
+typedef struct { char text[640]; } explain_words;
+
+__attribute__((format(printf, 1, 2)))
+static inline explain_words explain_text(const char *format, ...)
+{
+    explain_words w;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(w.text, sizeof w.text, format, arguments);
+    va_end(arguments);
+    return w;
+}
+
+static inline explain_words explain_more(size_t n)
+{
+    return n > 1 ? explain_text(" and %zu more", n - 1) : (explain_words){""};
+}
+
+/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. None: a table of
+ * rules that is wrong has called for it. */
+static inline explain_words explain_group(const studio *s, plan_group g, material_key key)
+{
+    if (g.n == 0) return (explain_words){"no material"};
+    const studio_material *m = &s->material[g.first];
+    cite at = m->said[key].file ? m->said[key] : m->at;
+    return explain_text("material '%.60s' (%.150s)%.40s", studio_material_name(s, g.first),
+                        studio_said(s, at).text, explain_more(g.n).text);
+}
+
+/* Rough glass says so, and not Ns; where illum is not said, d lets light through. */
+static inline material_key explain_key(const plan_facts *q, int kind)
+{
+    uint32_t m = q->has[kind].n ? q->has[kind].first : 0;
+    switch (kind) {
+    case RAY_GLOSSY: return q->look[m].rough > 0 ? KEY_ROUGHNESS : KEY_NS;
+    case RAY_REFRACTED: return q->s->material[m].illum < 0 ? KEY_D : KEY_ILLUM;
+    case RAY_ABSORBED: return KEY_ABSORB;
+    case RAY_SCATTERED: return KEY_KD;
+    default: return KEY_ILLUM;
+    }
+}
+
+/* What calls for it: a material; with light, the light, and the first surface that it reaches. */
+static inline explain_words explain_called(const plan_facts *q, int kind)
+{
+    const studio *s = q->s;
+    bool reaches = EFFECTS_LIT >> kind & 1, lit = q->lights > 0, lamp = s->emitters > 0;
+    explain_words by = explain_group(s, q->has[reaches ? RAY_TO_LIGHT : kind],
+                                     explain_key(q, kind));
+    switch (kind) {
+    case RAY_TO_LIGHT: {
+        const studio_light *l = &s->light[q->first_light];
+        return explain_text("%s (%.150s)%.40s on %.300s",
+                            l->light.kind == LIGHT_POINT ? "light" : "sun",
+                            studio_said(s, l->at).text, explain_more(q->lights).text, by.text);
+    }
+    case RAY_TO_LAMP:
+        return explain_text("%zu face%s of %.270s on %.300s", s->emitters,
+                            s->emitters == 1 ? "" : "s, the first", explain_group(s,
+                            (plan_group){studio_emitter_material(s, 0), 1}, KEY_KE).text, by.text);
+    case RAY_TO_SKY:
+        return explain_text("environment (%.150s) on %.300s", studio_said(s, s->sky_said).text,
+                            by.text);
+    case RAY_SCATTERED:
+        return explain_text("%.300s, lit by%s%s%s%s%s", by.text, lit ? " lights" : "",
+                            lit && lamp ? "," : "", lamp ? " lamps (Ke)" : "",
+                            q->around && (lit || lamp) ? "," : "",
+                            q->around ? " environment" : "");
+    case RAY_OF_LENS:
+        return explain_text("lens (%.150s), radius %g", studio_said(s, s->lens.said).text,
+                            (double)s->lens.radius);
+    default: return by;
+    }
+}
+
+static inline explain_words explain_why(const plan *p, int kind)
+{
+    const plan_rule *r = p->rule[kind];
+    if (!r) return explain_called(&p->facts, kind);
+    if (!p->line[kind].file) return explain_text("%s", r->reason);
+    return explain_text("%s (%.150s)", r->reason, studio_said(p->facts.s, p->line[kind]).text);
+}
+
+/* ---- all of it ---- */
+
 static inline void explain_view(FILE *out, const studio *s, const studio_view *v)
 {
-    char said[300];
     explain_say(out, "camera     from %.6g %.6g %.6g at %.6g %.6g %.6g up %.6g %.6g %.6g angle %g  "
                 "(%s)", (double)v->from.x, (double)v->from.y, (double)v->from.z, (double)v->at.x,
                 (double)v->at.y, (double)v->at.z, (double)v->up.x, (double)v->up.y,
                 (double)v->up.z, (double)v->angle,
-                v->given ? studio_said(s, v->said, said, sizeof said)
+                v->given ? studio_said(s, v->said).text
                          : "found: none was given, this one shows everything");
     if (s->lens.radius > 0)
         explain_say(out, "lens       radius %g, in focus at %g", (double)s->lens.radius,
@@ -56,10 +143,10 @@ static inline void explain_view(FILE *out, const studio *s, const studio_view *v
 static inline void explain_material(FILE *out, const studio *s, const plan *p, uint32_t m)
 {
     const studio_material *x = &s->material[m];
-    char said[300], at[320] = "", illum[40] = "NFF", does[700] = "";
+    char at[320] = "", illum[40] = "NFF", does[700] = "";
     size_t n = 0, room = sizeof does;
     unsigned mask = plan_effects(p, m);
-    if (x->at.file) snprintf(at, sizeof at, "  (%s)", studio_said(s, x->at, said, sizeof said));
+    if (x->at.file) snprintf(at, sizeof at, "  (%s)", studio_said(s, x->at).text);
     if (!x->classic) snprintf(illum, sizeof illum, x->illum < 0 ? "illum not said, as %d"
                               : "illum %d", appearance_illum(x));
     for (int k = 0; k < effect_kinds && x->used; k++)
@@ -67,10 +154,10 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
                                                  effect_names[k].name);
     if (!n) n = (size_t)snprintf(does, room, x->used ? "none" : "not in use");
     if (x->used && !vzero(x->ke)) n += (size_t)snprintf(does + n, room - n, "; emits");
-    if (x->used && p->look[m].excess > 1 + 16 * real_epsilon)
+    if (x->used && p->facts.look[m].excess > 1 + 16 * real_epsilon)
         n += (size_t)snprintf(does + n, room - n, "; gives back %.3g times what it gets: divided "
-                              "by that", (double)p->look[m].excess);
-    if (!x->classic && x->d < 1 && vzero(p->look[m].through))
+                              "by that", (double)p->facts.look[m].excess);
+    if (!x->classic && x->d < 1 && vzero(p->facts.look[m].through))
         n += (size_t)snprintf(does + n, room - n, "; d %g, but illum %d calls for no transparency",
                               (double)x->d, x->illum);
     if (x->illum >= 8 && x->illum <= 10)
@@ -98,10 +185,10 @@ static inline void explain(FILE *out, const studio *s, const plan *p, const stud
                 "materials; %zu lights; %zu emitting faces", s->shapes + s->solids, s->meshes,
                 s->places, triangles, s->materials, s->lights, s->emitters);
     explain_view(out, s, v);
-    explain_say(out, "plan       %s", integrator_names[p->integrator]);
+    explain_say(out, "plan       %s", integrator_names[integrator_of(p->effects)]);
     for (int k = 0; k < effect_kinds; k++)
         explain_say(out, "  %-13s %-15s %s", verdict_names[p->verdict[k]], effect_names[k].name,
-                    p->why[k]);
+                    explain_why(p, k).text);
     explain_say(out, "materials");
     for (uint32_t m = 0; m < s->materials && m < explain_most_materials; m++)
         if (m > 0 || s->material[m].used) explain_material(out, s, p, m);
