@@ -14,17 +14,16 @@
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Trees only where they have something to hold: one of all shapes (15), one for each mesh that
- * stands as it is in its file (15), one of two levels (16) for those that were moved, or stand a
- * second time. There what rounding moves on the way and back, the pad of (16.3), is added to
+ * Trees only where they have something to hold: parts of a world of 18, one of all shapes, one for
+ * each mesh that stands as it is in its file; one of two levels (16) for those that were moved, or
+ * stand a second time. There what rounding moves on the way and back, the pad of (16.3), is added to
  * `error` and `noise` of a surface.
  */
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H
 
-#include "../15_wide_bvh/bvh8.h"
 #include "../16_instances/instances.h"
-#include "../18_shade/surface.h"
+#include "../18_shade/shade.h"
 #include "studio.h"
 #include "effect.h"
 
@@ -37,34 +36,39 @@ typedef struct { studio_face from, to; } studio_but;
 
 typedef struct {
     const studio *s;
-    scene *all;               /* what `shapes` asks */
-    bvh8 shapes, *mesh;       /* mesh [standing] */
-    uint32_t *mesh_place;     /* [standing] */
+    scene *all;               /* the shapes */
+    world_part *part;         /* [parts] */
+    uint32_t *place;          /* [parts] of each; no_shape: the shapes */
     instances moved;
     instance *moved_list;     /* [moved.n] */
     uint32_t *moved_place;    /* [moved.n] */
     placing *pad;             /* [moved.n] */
-    size_t standing, solids;
+    size_t parts, solids;
 } studio_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void studio_tree_free(studio_tree *t)
 {
-    bvh8_free(&t->shapes);
-    for (size_t k = 0; k < t->standing; k++) bvh8_free(&t->mesh[k]);
+    for (size_t k = 0; k < t->parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
-    free(t->all);
-    free(t->mesh), free(t->mesh_place), free(t->moved_list), free(t->moved_place), free(t->pad);
+    free(t->all), free(t->part), free(t->place);
+    free(t->moved_list), free(t->moved_place), free(t->pad);
     *t = (studio_tree){.s = NULL};
+}
+
+static inline bool studio_tree_add(studio_tree *t, world_part p, uint32_t place, failure *f)
+{
+    items x = p.m ? items_of_mesh(p.m) : items_of_scene(p.s);
+    if (!bvh8_build(&x, bvh8_defaults, &p.tree, f)) return false;
+    t->part[t->parts] = p, t->place[t->parts++] = place;
+    return true;
 }
 
 /* Which places stand: the first of each mesh that is not moved. */
 static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
 {
     bool *has = allocate(s->meshes, sizeof *has);
-    t->mesh = allocate(s->meshes, sizeof *t->mesh);
-    t->mesh_place = allocate(s->meshes, sizeof *t->mesh_place);
     t->moved_list = allocate(s->places, sizeof *t->moved_list);
     t->moved_place = allocate(s->places, sizeof *t->moved_place);
     size_t moved = 0;
@@ -73,9 +77,7 @@ static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
         uint32_t m = s->placed[i].mesh;
         if (!has[m] && studio_stands(s, i)) {
             has[m] = true;
-            items x = items_of_mesh(&s->mesh[m]);
-            ok = bvh8_build(&x, bvh8_defaults, &t->mesh[t->standing], f);
-            t->mesh_place[t->standing++] = i;
+            ok = studio_tree_add(t, (world_part){.m = &s->mesh[m], .mask = MASK_ALL}, i, f);
         } else {
             t->moved_list[moved] = s->placed[i];
             t->moved_place[moved++] = i;
@@ -91,12 +93,8 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
 {
     size_t n = t->moved.n;
     if (!n) return true;
-    uint32_t *number = allocate(s->meshes, sizeof *number);
     mesh *used = allocate(s->meshes, sizeof *used);
-    bool *is = allocate(s->meshes, sizeof *is);
-    for (size_t i = 0; i < n; i++) is[t->moved_list[i].mesh] = true;
-    for (size_t k = 0; k < s->meshes; k++)
-        if (is[k]) used[k] = s->mesh[k];
+    for (size_t i = 0, m; i < n; i++) m = t->moved_list[i].mesh, used[m] = s->mesh[m];
     instances_options how = instances_defaults;
     size_t points = 0;  /* of all instances: what tight boxes would cost */
     for (size_t i = 0; i < n; i++) points += s->mesh[t->moved_list[i].mesh].vertices;
@@ -112,7 +110,7 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
         t->pad[i] = placing_of(t->moved_list[i].to_world, p->to_object,
                                box_farthest(&t->moved.lower[p->mesh].tree.node[0].box));
     }
-    free(number), free(used), free(is);
+    free(used);
     return ok;
 }
 
@@ -121,21 +119,23 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
 {
     *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
     *out->all = studio_shapes(s);
-    items x = items_of_scene(out->all);
-    if ((!x.n || bvh8_build(&x, bvh8_defaults, &out->shapes, f)) && studio_tree_sort(s, out, f)
+    out->part = allocate(s->meshes + 1, sizeof *out->part);
+    out->place = allocate(s->meshes + 1, sizeof *out->place);
+    const world_part shapes = {.s = out->all, .mask = MASK_ALL};
+    if ((!s->shapes || studio_tree_add(out, shapes, no_shape, f)) && studio_tree_sort(s, out, f)
         && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;
 }
 
-/* Nearer, not as near: the first keeps it. Field by field: a copy of the whole would wait for what
- * the search has just written. */
-effects_inline void studio_tree_keep(hit h, uint32_t place, real *most, bool *found,
+/* Nearer, not as near: the first keeps it, and ends the ray. Field by field: a copy of the whole
+ * would wait for what the search has just written. */
+effects_inline void studio_tree_keep(hit h, uint32_t place, ray *rest, bool *found,
                                      studio_hit *out)
 {
-    if (*found && h.t == *most) return;
+    if (*found && h.t == rest->tmax) return;
     *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
-    *found = true, *most = h.t;
+    *found = true, rest->tmax = h.t;
 }
 
 /* What `but` says of the tree of one place. */
@@ -145,35 +145,28 @@ effects_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
     return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
 }
 
-/* r up to t. */
-effects_inline ray studio_ray(const ray *r, real t) { return (ray){r->o, r->tmin, r->d, t}; }
-
 effects_inline bool studio_tree_hit_but(const studio_tree *t, const ray *r, studio_but but,
                                         studio_hit *out)
 {
     bool found = false;
-    real most = r->tmax;
+    ray rest = {r->o, r->tmin, r->d, r->tmax};
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_ask_at(&t->shapes, r, studio_skip(but, no_shape), &h, NULL))
-        studio_tree_keep(h, no_shape, &most, &found, out);
-    for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_hit_but(&t->mesh[k], studio_ray(r, most), studio_skip(but, t->mesh_place[k]), &h))
-            studio_tree_keep(h, t->mesh_place[k], &most, &found, out);
-    if (t->moved.n && instances_hit(&t->moved, studio_ray(r, most), &x))
-        studio_tree_keep(x.h, t->moved_place[x.instance], &most, &found, out);
+    for (size_t k = 0; k < t->parts; k++)
+        if (bvh8_ask_at(&t->part[k].tree, &rest, studio_skip(but, t->place[k]), &h, NULL))
+            studio_tree_keep(h, t->place[k], &rest, &found, out);
+    if (t->moved.n && instances_hit(&t->moved, rest, &x))
+        studio_tree_keep(x.h, t->moved_place[x.instance], &rest, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
-        if (csg_hit(&t->s->solid[k].c, studio_ray(r, most), &h))
-            studio_tree_keep(h, no_shape - 1 - k, &most, &found, out);
+        if (csg_hit(&t->s->solid[k].c, rest, &h))
+            studio_tree_keep(h, no_shape - 1 - k, &rest, &found, out);
     return found;
 }
 
 effects_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
 {
-    const bvh8_skip own = studio_skip(but, no_shape);
-    if (t->all->n && bvh8_ask_at(&t->shapes, r, own, NULL, NULL)) return true;
-    for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_ask_at(&t->mesh[k], r, studio_skip(but, t->mesh_place[k]), NULL, NULL))
+    for (size_t k = 0; k < t->parts; k++)
+        if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), NULL, NULL))
             return true;
     for (size_t k = 0; k < t->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, *r)) return true;

@@ -23,7 +23,6 @@
 #ifndef EFFECTS_TOUCH_H
 #define EFFECTS_TOUCH_H
 
-#include "../18_shade/trace.h"
 #include "../19_whitted/media.h"
 #include "appearance.h"
 #include "studio_tree.h"
@@ -207,12 +206,10 @@ static inline void touch_search(touch_asking *q)
 {
     const studio_tree *t = q->t;
     const ray_program program = {.any_hit = touch_any};
-    trace_asking a = {.program = &program, .part = no_shape, .r = q->across, .payload = q,
+    trace_asking a = {.program = &program, .r = q->across, .payload = q,
                       .q = query_of(q->across)};
     hit h;
-    if (t->all->n) trace_ask(&a, &t->shapes);
-    for (size_t k = 0; k < t->standing; k++)
-        a.part = t->mesh_place[k], trace_ask(&a, &t->mesh[k]);
+    for (size_t k = 0; k < t->parts; k++) a.part = t->place[k], trace_ask(&a, &t->part[k].tree);
     for (uint32_t k = 0; k < t->solids; k++)
         if (csg_hit(&t->s->solid[k].c, q->across, &h))
             touch_note(q, (studio_hit){h, no_shape - 1 - k});

@@ -13,9 +13,6 @@
 
 typedef struct {
     const effects_stage *e;
-    scene all;
-    world_part *part;       /* [world.parts] */
-    uint32_t *place;        /* of the part; no_shape: the shapes */
     trace_world world;
     whitted_material *look; /* [materials] */
     whitted how;
@@ -26,7 +23,7 @@ typedef struct {
 
 static inline uint32_t classic_number(const classic *c, trace_hit x)
 {
-    return studio_hit_material(&c->e->t, (studio_hit){x.h, c->place[x.part]});
+    return studio_hit_material(&c->e->t, (studio_hit){x.h, c->e->t.place[x.part]});
 }
 
 static inline const whitted_material *classic_look(const void *context, trace_hit x,
@@ -47,20 +44,7 @@ static inline material classic_material(const void *context, trace_hit x, const 
 static inline void classic_build(const effects_stage *e, classic *c)
 {
     const studio *s = e->s;
-    const studio_tree *t = &e->t;
-    *c = (classic){.e = e, .all = studio_shapes(s)};
-    c->part = allocate(t->standing + 1, sizeof *c->part);
-    c->place = allocate(t->standing + 1, sizeof *c->place);
-    size_t n = 0;
-    if (s->shapes) {
-        world_part_of_scene(&c->all, MASK_ALL, &c->part[n]);
-        c->place[n++] = no_shape;
-    }
-    for (size_t k = 0; k < t->standing; k++) {
-        world_part_of_mesh(&s->mesh[s->placed[t->mesh_place[k]].mesh], MASK_ALL, &c->part[n]);
-        c->place[n++] = t->mesh_place[k];
-    }
-    c->world = (trace_world){c->part, n};
+    *c = (classic){.e = e, .world = {e->t.part, e->t.parts}};
     c->look = allocate(s->materials, sizeof *c->look);
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &e->look[m];
@@ -77,8 +61,7 @@ static inline void classic_build(const effects_stage *e, classic *c)
 
 static inline void classic_free(classic *c)
 {
-    for (size_t k = 0; k < c->world.parts; k++) world_part_free(&c->part[k]);
-    free(c->part), free(c->place), free(c->look);
+    free(c->look);
     *c = (classic){.e = NULL};
 }
 
