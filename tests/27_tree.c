@@ -132,7 +132,8 @@ static void test_hits(void)
         check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
         check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
               hits);
-        check(t.parts == (size_t)(kinds & 3) && (t.moved.n > 0) == ((kinds & 6) != 0),
+        check((t.all->n > 0) == (kinds & 1) && t.parts == (size_t)(1 + (kinds & 2))
+              && (t.moved.n > 0) == ((kinds & 6) != 0),
               "only trees that hold something: %zu parts", t.parts);
         studio_tree_free(&t);
         studio_free(&s);

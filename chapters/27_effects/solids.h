@@ -3,7 +3,6 @@
  *   csg_hit(&x.c, r, &h)                        h.shape is a surface of the solid
  *   surface s = solid_surface(&x, r, h)         n points out of what is left, also in a cut; with
  *                                               the error bounds of 18, for leave.h
- *   solid_bounds(&x, &lo, &hi)                  false: without end, or empty
  *   solid_free(&x)
  *
  * p is put back on the surface of the operand that was hit, as surface.h does with shapes. A plane
@@ -25,12 +24,6 @@ typedef struct { csg_expression e; csg c; uint32_t material; cite at; } studio_s
 static inline void solid_free(studio_solid *x)
 {
     csg_free(&x->c), csg_expression_free(&x->e);
-}
-
-static inline bool solid_bounds(const studio_solid *x, vec3 *lo, vec3 *hi)
-{
-    *lo = x->c.node[0].bound.lo, *hi = x->c.node[0].bound.hi;
-    return vfinite(*lo) && vfinite(*hi);
 }
 
 /* The plane of a face of a solid with plane faces: n.p = h, n unit, outwards. */

@@ -11,7 +11,8 @@
  *
  *   m = studio_material_of(&s, place, triangle)  its material: O(log runs); no_shape, shape: too
  *   m = studio_emitter_material(&s, i)           of emitter i
- *   studio_bounds(&s, &lo, &hi)                  false: nothing there
+ *   aabb *box = studio_boxes(&s)                 of each of its studio_things(&s)
+ *   studio_bounds(&s, &lo, &hi)                  of all; false: nothing there
  *   studio_stands(&s, place)                     placed as it is in its file, not moved
  *   studio_dark(&s)                              no light that is not black
  *   studio_said(&s, cite).text                   "room.scene:7", "(default)", "--light"
@@ -143,6 +144,8 @@ static inline const char *studio_material_name(const studio *s, uint32_t m)
     return name_text(&s->names, s->material[m].name);
 }
 
+static inline size_t studio_things(const studio *s) { return s->shapes + s->places + s->solids; }
+
 static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s->shapes}; }
 
 static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint32_t k)
@@ -173,35 +176,38 @@ static inline bool studio_stands(const studio *s, size_t place)
     return memcmp(&a, &one, sizeof a) == 0;
 }
 
-static inline void studio_bounds_add(vec3 a, vec3 b, vec3 *lo, vec3 *hi)
+/* Of shapes, then places, then solids; the caller frees them. A mesh that was turned: a box round
+ * the corners of its own. */
+static inline aabb *studio_boxes(const studio *s)
 {
-    if (vfinite(a) && vfinite(b)) *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+    aabb *list = allocate(studio_things(s), sizeof *list), *x = list;
+    aabb *own = allocate(s->meshes, sizeof *own);
+    for (size_t m = 0; m < s->meshes; m++)
+        if (!mesh_bounds(&s->mesh[m], &own[m].lo, &own[m].hi)) own[m] = aabb_empty();
+    for (size_t i = 0; i < s->shapes; i++, x++) shape_bounds(s->shape[i], &x->lo, &x->hi);
+    for (size_t k = 0; k < s->places; k++, x++) {
+        const aabb b = own[s->placed[k].mesh];
+        *x = aabb_empty();
+        for (int i = 0; i < 8 && !aabb_is_empty(b); i++) {
+            vec3 p = {i & 1 ? b.lo.x : b.hi.x, i & 2 ? b.lo.y : b.hi.y, i & 4 ? b.lo.z : b.hi.z};
+            *x = aabb_grow_point(*x, affine_point(s->placed[k].to_world, p));
+        }
+    }
+    for (size_t k = 0; k < s->solids; k++, x++)
+        x->lo = s->solid[k].c.node[0].bound.lo, x->hi = s->solid[k].c.node[0].bound.hi;
+    free(own);
+    return list;
 }
 
-/* A box round everything: of a mesh that was turned, of the corners of its own box. */
+/* Of what has an end. */
 static inline bool studio_bounds(const studio *s, vec3 *lo, vec3 *hi)
 {
-    vec3 a, b;
-    *lo = (vec3){real_infinity, real_infinity, real_infinity};
-    *hi = vneg(*lo);
-    for (size_t i = 0; i < s->shapes; i++) {
-        shape_bounds(s->shape[i], &a, &b);
-        studio_bounds_add(a, b, lo, hi);
-    }
-    for (size_t k = 0; k < s->solids; k++)
-        if (solid_bounds(&s->solid[k], &a, &b)) studio_bounds_add(a, b, lo, hi);
-    struct { vec3 lo, hi; bool any; } *box = allocate(s->meshes, sizeof *box);
-    for (size_t m = 0; m < s->meshes; m++)
-        box[m].any = mesh_bounds(&s->mesh[m], &box[m].lo, &box[m].hi);
-    for (size_t i = 0; i < 8 * s->places; i++) {
-        const instance *x = &s->placed[i / 8];
-        a = box[x->mesh].lo, b = box[x->mesh].hi;
-        vec3 p = {i & 1 ? a.x : b.x, i & 2 ? a.y : b.y, i & 4 ? a.z : b.z};
-        p = affine_point(x->to_world, p);
-        if (box[x->mesh].any) studio_bounds_add(p, p, lo, hi);
-    }
+    aabb *box = studio_boxes(s), all = aabb_empty();
+    for (size_t i = 0; i < studio_things(s); i++)
+        if (vfinite(box[i].lo) && vfinite(box[i].hi)) all = aabb_union(all, box[i]);
     free(box);
-    return lo->x <= hi->x && lo->y <= hi->y && lo->z <= hi->z;
+    *lo = all.lo, *hi = all.hi;
+    return !aabb_is_empty(all);
 }
 
 #endif

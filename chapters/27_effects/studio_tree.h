@@ -7,7 +7,8 @@
  *   bool studio_tree_occluded(&t, r)          any
  *   studio_tree_hit_but(&t, &r, but, &x), studio_tree_occluded_but(&t, &r, but)    the same
  *                                             answers, sooner: r is known not to meet two faces,
- *                                             the one that it left and that of the lamp at its end
+ *                                             the one that it left and that of the lamp at its end;
+ *                                             r ends at its hit then, as in 18
  *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
  *                                             18 towards the same side does not come back
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
@@ -37,8 +38,8 @@ typedef struct { studio_face from, to; } studio_but;
 typedef struct {
     const studio *s;
     scene *all;               /* the shapes */
-    world_part *part;         /* [parts] */
-    uint32_t *place;          /* [parts] of each; no_shape: the shapes */
+    world_part *part;         /* [parts] the first of shapes, perhaps of none */
+    uint32_t *place;          /* [parts] of each; no_shape: of shapes */
     instances moved;
     instance *moved_list;     /* [moved.n] */
     uint32_t *moved_place;    /* [moved.n] */
@@ -122,7 +123,7 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     out->part = allocate(s->meshes + 1, sizeof *out->part);
     out->place = allocate(s->meshes + 1, sizeof *out->place);
     const world_part shapes = {.s = out->all, .mask = MASK_ALL};
-    if ((!s->shapes || studio_tree_add(out, shapes, no_shape, f)) && studio_tree_sort(s, out, f)
+    if (studio_tree_add(out, shapes, no_shape, f) && studio_tree_sort(s, out, f)
         && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;
@@ -130,12 +131,11 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
 
 /* Nearer, not as near: the first keeps it, and ends the ray. Field by field: a copy of the whole
  * would wait for what the search has just written. */
-effects_inline void studio_tree_keep(hit h, uint32_t place, ray *rest, bool *found,
-                                     studio_hit *out)
+effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
 {
-    if (*found && h.t == rest->tmax) return;
+    if (*found && h.t == r->tmax) return;
     *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
-    *found = true, rest->tmax = h.t;
+    *found = true, r->tmax = h.t;
 }
 
 /* What `but` says of the tree of one place. */
@@ -145,27 +145,30 @@ effects_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
     return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
 }
 
-effects_inline bool studio_tree_hit_but(const studio_tree *t, const ray *r, studio_but but,
+effects_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but but,
                                         studio_hit *out)
 {
     bool found = false;
-    ray rest = {r->o, r->tmin, r->d, r->tmax};
     hit h;
     instance_hit x;
-    for (size_t k = 0; k < t->parts; k++)
-        if (bvh8_ask_at(&t->part[k].tree, &rest, studio_skip(but, t->place[k]), &h, NULL))
-            studio_tree_keep(h, t->place[k], &rest, &found, out);
-    if (t->moved.n && instances_hit(&t->moved, rest, &x))
-        studio_tree_keep(x.h, t->moved_place[x.instance], &rest, &found, out);
+    if (t->all->n && bvh8_ask_at(&t->part->tree, r, studio_skip(but, no_shape), &h, NULL))
+        studio_tree_keep(h, no_shape, r, &found, out);
+    for (size_t k = 1; k < t->parts; k++)
+        if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), &h, NULL))
+            studio_tree_keep(h, t->place[k], r, &found, out);
+    if (t->moved.n && instances_hit(&t->moved, *r, &x))
+        studio_tree_keep(x.h, t->moved_place[x.instance], r, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
-        if (csg_hit(&t->s->solid[k].c, rest, &h))
-            studio_tree_keep(h, no_shape - 1 - k, &rest, &found, out);
+        if (csg_hit(&t->s->solid[k].c, *r, &h))
+            studio_tree_keep(h, no_shape - 1 - k, r, &found, out);
     return found;
 }
 
 effects_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
 {
-    for (size_t k = 0; k < t->parts; k++)
+    const bvh8_skip own = studio_skip(but, no_shape);
+    if (t->all->n && bvh8_ask_at(&t->part->tree, r, own, NULL, NULL)) return true;
+    for (size_t k = 1; k < t->parts; k++)
         if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), NULL, NULL))
             return true;
     for (size_t k = 0; k < t->solids; k++)

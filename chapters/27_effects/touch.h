@@ -48,10 +48,10 @@ typedef struct {
 } touch_asking;
 
 typedef struct {
-    const shape *shape;       /* NULL: a mesh or a solid */
+    const shape *shape;       /* NULL: a mesh, or a solid, which is opaque */
+    uint32_t material;        /* of the shape */
     aabb box;
     real pad;                 /* by which the box was grown */
-    uint32_t material;
     bool glass, mixed;        /* a part of it is glass; it is of several materials */
 } touch_thing;
 
@@ -66,46 +66,32 @@ static inline real touch_size(aabb b)
     return size < real_infinity ? size : 0;
 }
 
-static inline touch_thing touch_mesh(const studio *s, const appearance *look, size_t place, aabb b)
+/* A part of a placed mesh is of glass, if its own material is or one that a run of it has. */
+static inline void touch_mesh(const studio *s, const appearance *look, uint32_t place,
+                              touch_thing *x)
 {
-    const instance *at = &s->placed[place];
-    const mesh *m = &s->mesh[at->mesh];
-    touch_thing x = {.box = aabb_empty(), .mixed = m->runs > 1 || (m->runs && m->run[0].first)};
-    for (int i = 0; i < 8 && !aabb_is_empty(b); i++) {
-        vec3 p = {i & 1 ? b.lo.x : b.hi.x, i & 2 ? b.lo.y : b.hi.y, i & 4 ? b.lo.z : b.hi.z};
-        x.box = aabb_grow_point(x.box, affine_point(at->to_world, p));
-    }
-    x.material = s->placing[place].material, x.glass = appearance_body(&look[x.material]);
-    for (size_t k = 0; k < m->runs; k++) {
-        uint32_t of = s->paint[at->mesh].run_material[k];
-        x.glass = x.glass || (of != name_none && appearance_body(&look[of]));
-    }
-    return x;
+    const mesh *m = &s->mesh[s->placed[place].mesh];
+    x->mixed = m->runs > 1 || (m->runs && m->run[0].first);
+    x->glass = appearance_body(&look[s->placing[place].material]);
+    for (size_t k = 0; k < m->runs; k++)
+        x->glass |= appearance_body(&look[studio_material_of(s, place, m->run[k].first)]);
 }
 
-/* Shapes, then places, then solids, which are opaque. */
 static inline touch_thing *touch_things(const studio *s, const appearance *look)
 {
-    touch_thing *list = allocate(s->shapes + s->places + s->solids, sizeof *list), *x = list;
-    aabb *own = allocate(s->meshes, sizeof *own);
-    for (size_t k = 0; k < s->meshes; k++)
-        if (!mesh_bounds(&s->mesh[k], &own[k].lo, &own[k].hi)) own[k] = aabb_empty();
-    for (size_t i = 0; i < s->shapes; i++, x++) {
-        *x = (touch_thing){.shape = &s->shape[i], .material = s->shape_material[i]};
-        shape_bounds(s->shape[i], &x->box.lo, &x->box.hi);
-        x->glass = appearance_body(&look[x->material]);
+    touch_thing *list = allocate(studio_things(s), sizeof *list);
+    aabb *box = studio_boxes(s);
+    for (uint32_t i = 0; i < studio_things(s); i++) {
+        touch_thing *x = &list[i];
+        x->pad = touch_pad * real_epsilon * touch_size(box[i]);
+        vec3 by = {x->pad, x->pad, x->pad};
+        x->box = (aabb){vsub(box[i].lo, by), vadd(box[i].hi, by)};
+        if (i < s->shapes) {
+            x->shape = &s->shape[i], x->material = s->shape_material[i];
+            x->glass = appearance_body(&look[x->material]);
+        } else if (i - s->shapes < s->places) touch_mesh(s, look, i - (uint32_t)s->shapes, x);
     }
-    for (size_t k = 0; k < s->places; k++) *x++ = touch_mesh(s, look, k, own[s->placed[k].mesh]);
-    for (size_t k = 0; k < s->solids; k++, x++) {
-        *x = (touch_thing){.material = s->solid[k].material};
-        solid_bounds(&s->solid[k], &x->box.lo, &x->box.hi);
-    }
-    for (touch_thing *y = list; y < x; y++) {
-        y->pad = touch_pad * real_epsilon * touch_size(y->box);
-        vec3 by = {y->pad, y->pad, y->pad};
-        y->box = (aabb){vsub(y->box.lo, by), vadd(y->box.hi, by)};
-    }
-    free(own);
+    free(box);
     return list;
 }
 
@@ -135,7 +121,7 @@ static inline bool touch_apart(const touch_thing *x, const touch_thing *y)
 /* NULL: there is no glass. */
 static inline touch_near *touch_near_of(const studio *s, const appearance *look, aabb *box)
 {
-    size_t n = s->shapes + s->places + s->solids, glass = 0;
+    size_t n = studio_things(s), glass = 0;
     touch_thing *x = touch_things(s, look);
     *box = aabb_empty();
     for (size_t i = 0; i < n; i++)
