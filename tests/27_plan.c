@@ -88,9 +88,7 @@ static void test_appearance(void)
  * mirror's, the lobe's and the highlight's shares are albedos if the lobe's own is at most 1. */
 static double furnace(const appearance *a, double cosine)
 {
-    const vec3 black = {0, 0, 0}, white = {1, 1, 1};
-    brdf lobe = brdf_blinn_phong(black, white, a->exponent);
-    vec3 f = {1, 1, 1}, albedo = brdf_albedo(&lobe, (real)cosine);
+    vec3 f = {1, 1, 1}, albedo = brdf_albedo(&a->lobe, (real)cosine);
     vec3 back = vadd(vmul(a->glossy, albedo), a->mirror), rest = vadd(a->matte, a->through);
     back = vmax(back, vmul(a->highlight, albedo));  /* what mirrors has it for points alone */
     if (a->fresnel && vzero(a->through)) {

@@ -25,23 +25,20 @@
 #ifndef EFFECTS_APPEARANCE_H
 #define EFFECTS_APPEARANCE_H
 
+#include "../23_brdf/brdf.h"
 #include "effect.h"
 #include "studio.h"
 
-typedef struct { vec3 matte, highlight, mirror, glossy, through; } appearance_parts;
-
 typedef struct {
     vec3 flat, emits;
-    union {
-        appearance_parts parts;  /* all five */
-        struct { vec3 matte, highlight, mirror, glossy, through; };
-    };
+    vec3 matte, highlight, mirror, glossy, through;
     vec3 absorb;                 /* per unit of length */
-    real exponent, ior;
+    brdf lobe;                   /* white, of the exponent Ns */
+    real ior;
     real rough;                  /* alpha (23): `mirror` and `through` are of facets; 0: smooth */
     bool fresnel, bends, solid;
     real excess;                 /* > 1: colours were divided by it */
-    bool lobe;                   /* highlight or glossy */
+    bool has_lobe;               /* highlight or glossy */
     unsigned calls;              /* effects that its parts take; 0: it is black */
 } appearance;
 
@@ -91,9 +88,11 @@ static inline bool appearance_lit(const appearance *a)
 static inline bool appearance_body(const appearance *a) { return a->solid && !vzero(a->through); }
 
 /* What its parts take, once they are known: a ray's hit asks for no others. */
-static inline void appearance_note(appearance *a)
+static inline void appearance_note(appearance *a, real ns)
 {
-    a->lobe = !vzero(a->highlight) || !vzero(a->glossy);
+    const vec3 black = {0, 0, 0}, white = {1, 1, 1};
+    a->lobe = brdf_blinn_phong(black, white, ns);
+    a->has_lobe = !vzero(a->highlight) || !vzero(a->glossy);
     a->calls = (appearance_lit(a) ? EFFECTS_LIT : 0) | (vzero(a->matte) ? 0 : EFFECT_INDIRECT)
         | (vzero(a->glossy) && !(a->rough > 0) ? 0 : EFFECT_GLOSSY)
         | (vzero(a->mirror) ? 0 : EFFECT_MIRROR) | (vzero(a->through) ? 0 : EFFECT_REFRACTION)
@@ -103,9 +102,9 @@ static inline void appearance_note(appearance *a)
 static inline appearance appearance_classic(const studio_material *m)
 {
     appearance a = {.matte = m->kd, .highlight = m->ks, .mirror = m->ks, .through = m->tf,
-                    .emits = m->ke, .absorb = m->absorb, .exponent = m->ns, .ior = m->ni,
-                    .bends = m->ni != 1, .solid = true};
-    appearance_limit(&a), appearance_note(&a);
+                    .emits = m->ke, .absorb = m->absorb, .ior = m->ni, .bends = m->ni != 1,
+                    .solid = true};
+    appearance_limit(&a), appearance_note(&a, m->ns);
     return a;
 }
 
@@ -121,7 +120,7 @@ static inline appearance appearance_of(const studio_material *m)
     int illum = appearance_illum(m);
     bool emits = !vzero(m->ke), lobe = m->said[KEY_NS].file;
     vec3 kd = emits && !m->said[KEY_KD].file ? (vec3){0, 0, 0} : m->kd;  /* a lamp is no wall */
-    appearance a = {.matte = kd, .emits = m->ke, .exponent = m->ns, .ior = m->ni};
+    appearance a = {.matte = kd, .emits = m->ke, .ior = m->ni};
     switch (illum) {
     case 0: a.matte = (vec3){0, 0, 0}, a.flat = kd; break;
     case 2: case 8: case 9: if (lobe) a.highlight = m->ks; break;
@@ -143,7 +142,7 @@ static inline appearance appearance_of(const studio_material *m)
         a.mirror = (vec3){1, 1, 1};
     }
     a.fresnel = (illum == 5 || illum == 7) && !(vzero(a.mirror) && vzero(a.glossy));
-    appearance_limit(&a), appearance_note(&a);
+    appearance_limit(&a), appearance_note(&a, m->ns);
     return a;
 }
 

@@ -51,13 +51,12 @@ typedef struct {
     const branch *b;
     const dice *d;
     effects_counts *c;
-    const brdf *lobe;
     surface s;
     studio_face flat;   /* that s is of */
     real more;          /* touch.h */
-    const appearance_parts *k;
-    const rough_glass *facets;  /* of rough glass, whose look is `a`; NULL: of none */
-    const appearance *a;
+    const appearance *a;        /* its material, */
+    const appearance *k;        /* and what that is at this angle, by Fresnel */
+    const rough_glass *facets;  /* of rough glass; NULL: of none */
     const media_set *behind;    /* what is in there */
 } gather_hit;
 
@@ -156,20 +155,20 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
 effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
                                     real q)
 {
-    const appearance_parts *k = h->k;
+    const appearance *k = h->k;
     real c = vdot(h->s.ns, wi);
     real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
     vec3 sum = vscale(k->matte, c / pi * w);
-    if (h->a->lobe) {
+    if (h->a->has_lobe) {
         shading_frame f = shading_frame_of(h->s.ns);
         vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
         if (vzero(k->mirror) || !(pdf < real_infinity))  /* else it shows it */
             both = vscale(k->highlight, mis_power(pdf, q));
         if (!vzero(k->glossy)) {
-            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(h->lobe, i, o)) : 1;
+            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(&h->a->lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);
         }
-        sum = vmadd(sum, vmul(both, brdf_value_local(h->lobe, i, o)), c);
+        sum = vmadd(sum, vmul(both, brdf_value_local(&h->a->lobe, i, o)), c);
     }
     return sum;
 }
@@ -218,9 +217,9 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     gather_hit alone = *h;
     lit_draw x = {.far = true, .emitter = lit_dark};
     vec3 part, none = {0, 0, 0};
-    const appearance_parts k = {.highlight = h->k->highlight};
+    const appearance k = {.highlight = h->k->highlight};
     alone.k = &k;
-    if (!brdf_sample(h->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
+    if (!brdf_sample(&h->a->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
         return none;
     x.per = x.pdf, x.Le = sky->kind == SKY_NONE ? none : sky_radiance(sky, x.wi);
     return gather_sample(&alone, mask, true, RAY_TO_SKY, &x,
@@ -229,14 +228,14 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
-    const appearance_parts *k = h->k;
+    const appearance *k = h->k;
     const effects_stage *e = h->e;
     vec3 sum = {0, 0, 0};
     lit_draw x = {.far = false};
     bool lit = (h->a->calls & EFFECTS_LIT) != 0;
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
-    for (int i = 0; mask & EFFECT_HARD_SHADOWS && i < e->lights; i++)
-        if (lit_draw_light(&e->light[i], 1, h->s.p, &x))
+    for (size_t i = 0; mask & EFFECT_HARD_SHADOWS && i < e->s->lights; i++)
+        if (lit_draw_light(&e->s->light[i].light, 1, h->s.p, &x))
             sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LIGHT, &x, 0));
     if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
@@ -249,7 +248,7 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
         if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
             seen = e->s->sky.kind == SKY_IMAGE && sky_draw(&e->s->sky, vneg(h->s.ns), u, &x);
         bool shines = !vzero(k->highlight) && vzero(k->mirror);
-        real q = shines && seen ? brdf_pdf(h->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
+        real q = shines && seen ? brdf_pdf(&h->a->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
         if (seen) sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x, q));
         if (shines) sum = vadd(sum, gather_highlight(h, mask));
     }

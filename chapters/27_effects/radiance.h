@@ -82,7 +82,7 @@ effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int 
     real pdf;
     if (glossy) {
         vec3 wo = to_local(f, vneg(h->b->r.d));
-        if (!brdf_sample_local(h->lobe, wo, u.u, u.v, &wi, &pdf, &part)) return 0;
+        if (!brdf_sample_local(&h->a->lobe, wo, u.u, u.v, &wi, &pdf, &part)) return 0;
     } else wi = sample_cosine(u.u, u.v), pdf = pdf_cosine(wi);
     real cosine = wi.z;
     wi = to_world(f, wi);
@@ -130,14 +130,14 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
     return 1;
 }
 
-/* The parts of a surface's light; of a material with Fresnel they are *k. x is set if it bends. */
-effects_inline const appearance_parts *effects_parts(const unsigned mask, const appearance *a,
-                                                     vec3 d, const surface *s, const snell *x,
-                                                     bool bends, appearance_parts *k)
+/* The material at this angle: itself, or with Fresnel *k. x is set if it bends. */
+effects_inline const appearance *effects_angle(const gather_hit *h, const unsigned mask,
+                                               const snell *x, bool bends, appearance *k)
 {
-    if (!a->fresnel) return &a->parts;
-    real cosine = real_min(1, fabs(vdot(s->ns, d)));
-    *k = a->parts;
+    const appearance *a = h->a;
+    if (!a->fresnel) return a;
+    real cosine = real_min(1, fabs(vdot(h->s.ns, h->b->r.d)));
+    *k = *a;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {  /* for effects_facet */
         k->mirror = k->through = (vec3){0, 0, 0};
     } else if (vzero(a->through)) {
@@ -237,7 +237,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     }
     const appearance *a = &e->look[m];
     gather_hit h;
-    h.e = e, h.b = b, h.d = d, h.c = c, h.lobe = &e->lobe[m], h.more = more;
+    h.e = e, h.b = b, h.d = d, h.c = c, h.a = a, h.more = more;
     h.s = surface_copy(&s);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
@@ -260,10 +260,10 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    appearance_parts parts;
-    h.k = effects_parts(mask, a, b->r.d, &h.s, &at, bends, &parts);
+    appearance angle;
+    h.k = effects_angle(&h, mask, &at, bends, &angle);
     rough_glass facets;
-    h.facets = NULL, h.a = a, h.behind = body ? &after : NULL;
+    h.facets = NULL, h.behind = body ? &after : NULL;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {
         facets = (rough_glass){a->rough, bends ? e->media[inside].ior : 1,
                                bends ? e->media[to].ior : a->ior};

@@ -22,7 +22,6 @@
 
 #include "../19_whitted/whitted.h"
 #include "../21_distributed/lens.h"
-#include "../23_brdf/brdf.h"
 #include "framing.h"
 #include "lamps.h"
 #include "effect.h"
@@ -48,12 +47,9 @@ typedef struct {
     const studio *s;
     studio_tree t;
     appearance *look;                /* [materials] */
-    brdf *lobe;                      /* [materials] white, with the material's exponent */
     touch_near *near;                /* where glass has neighbours: touch.h */
     aabb glass;                      /* the box of all of it */
     medium *media;                   /* [materials + 1] body m + 1 is made of material m */
-    light *light;
-    int lights;
     lamp_list lamp;
     unsigned mask;                   /* effects, and SPEND, GENERAL, DICED */
     bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
@@ -72,7 +68,7 @@ static inline void effects_stage_free(effects_stage *e)
 {
     studio_tree_free(&e->t);
     lamps_free(&e->lamp);
-    free(e->look), free(e->lobe), free(e->near), free(e->media), free(e->light);
+    free(e->look), free(e->near), free(e->media);
     *e = (effects_stage){.s = NULL};
 }
 
@@ -85,14 +81,11 @@ static inline void effects_stage_effects(effects_stage *e, unsigned mask)
 static inline void effects_stage_materials(effects_stage *e)
 {
     const studio *s = e->s;
-    const vec3 black = {0, 0, 0}, white = {1, 1, 1};
     e->look = appearances_of(s);
-    e->lobe = allocate(s->materials, sizeof *e->lobe);
     e->media = allocate(s->materials + 1, sizeof *e->media);
-    e->media[0] = (medium){1, black, 0};
+    e->media[0] = (medium){.ior = 1};
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &e->look[m];
-        e->lobe[m] = brdf_blinn_phong(black, white, a->exponent);
         e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
         e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
     }
@@ -106,9 +99,6 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
     if (!studio_tree_build(s, &out->t, f)) return false;
     lamps_build(&out->t, &out->lamp);
     effects_stage_materials(out);
-    out->lights = (int)s->lights;
-    out->light = allocate(s->lights, sizeof *out->light);
-    for (size_t i = 0; i < s->lights; i++) out->light[i] = s->light[i].light;
     effects_stage_effects(out, EFFECTS_ALL);
     return true;
 }

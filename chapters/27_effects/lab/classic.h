@@ -15,6 +15,7 @@ typedef struct {
     const effects_stage *e;
     trace_world world;
     whitted_material *look; /* [materials] */
+    light *light;
     whitted how;
     shading plain;
 } classic;
@@ -49,19 +50,21 @@ static inline void classic_build(const effects_stage *e, classic *c)
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &e->look[m];
         bool glass = !vzero(a->through);
-        c->look[m] = (whitted_material){{a->matte, a->highlight, a->exponent, a->emits}, a->mirror,
-                                        a->through, glass ? (uint32_t)m + 1 : 0, 0};
+        c->look[m] = (whitted_material){{a->matte, a->highlight, a->lobe.exponent, a->emits},
+                                        a->mirror, a->through, glass ? (uint32_t)m + 1 : 0, 0};
     }
-    c->how = (whitted){.lights = e->light, .n = e->lights, .material_of = classic_look,
+    c->light = allocate(s->lights, sizeof *c->light);
+    for (size_t i = 0; i < s->lights; i++) c->light[i] = s->light[i].light;
+    c->how = (whitted){.lights = c->light, .n = (int)s->lights, .material_of = classic_look,
                        .context = c, .media = e->media, .background = s->sky.background,
                        .depth = e->depth, .least = e->least, .apart = true};
-    c->plain = (shading){.lights = e->light, .n = e->lights, .material_of = classic_material,
+    c->plain = (shading){.lights = c->light, .n = (int)s->lights, .material_of = classic_material,
                          .context = c, .background = s->sky.background};
 }
 
 static inline void classic_free(classic *c)
 {
-    free(c->look);
+    free(c->look), free(c->light);
     *c = (classic){.e = NULL};
 }
 
