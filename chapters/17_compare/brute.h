@@ -17,25 +17,22 @@ static inline bool brute_build(const items *x, brute_options how, brute *out, fa
 }
 
 static inline void brute_free(brute *b) { *b = (brute){{NULL, NULL, 0}}; }
-static inline bool brute_hit(const brute *b, ray r, hit *out) { return items_hit(&b->x, r, out); }
-static inline bool brute_occluded(const brute *b, ray r) { return items_occluded(&b->x, r); }
 
-static inline bool brute_hit_counted(const brute *b, ray r, hit *out, search_work *w)
+/* Any hit: ends at the first item that is hit; that many tests. */
+static inline bool brute_search(const brute *b, ray r, bool any, hit *out, search_work *work)
 {
-    w->tests += b->x.n;
-    return brute_hit(b, r, out);
-}
-
-/* Ends at the first item that is hit: that many tests. */
-static inline bool brute_occluded_counted(const brute *b, ray r, search_work *w)
-{
+    if (!any && work) work->tests += b->x.n;
+    if (!any) return items_hit(&b->x, r, out);
+    if (!work) return items_occluded(&b->x, r);
     query q = query_of(r);
     for (size_t i = 0; i < b->x.n; i++) {
-        w->tests++;
+        work->tests++;
         if (query_ask(&q, &b->x, (uint32_t)i, true)) return true;
     }
     return false;
 }
+
+STRUCTURE_VERBS(brute)
 
 static inline structure_stats brute_stats(const brute *b)
 {

@@ -58,31 +58,18 @@ static inline void first_items_free(first_items *s)
     s->c.m = NULL;
 }
 
-static inline bool first_items_hit(const first_items *s, ray r, hit *out)
-{
-    return first_contest_hit(&s->c, s->which, r, out);
-}
-
 /* The first versions have no search of their own for any hit. */
-static inline bool first_items_occluded(const first_items *s, ray r)
+static inline bool first_items_search(const first_items *s, ray r, bool any, hit *out,
+                                      search_work *work)
 {
     hit h;
-    return first_items_hit(s, r, &h);
-}
-
-static inline bool first_items_hit_counted(const first_items *s, ray r, hit *out, search_work *w)
-{
     long before = first_tests;
-    bool met = first_items_hit(s, r, out);
-    w->tests += (size_t)(first_tests - before);
+    bool met = first_contest_hit(&s->c, s->which, r, any ? &h : out);
+    if (work) work->tests += (size_t)(first_tests - before);
     return met;
 }
 
-static inline bool first_items_occluded_counted(const first_items *s, ray r, search_work *w)
-{
-    hit h;
-    return first_items_hit_counted(s, r, &h, w);
-}
+STRUCTURE_VERBS(first_items)
 
 static inline structure_stats first_items_stats(const first_items *s)
 {
