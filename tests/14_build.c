@@ -3,7 +3,7 @@
  * And trees that are kept while the mesh moves (refit.h). */
 #include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/14_bvh/lab/slivers.h"
-#include "../chapters/14_bvh/cost.h"
+#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/07_mesh/scenes/motion.h"
 #include "../chapters/09_aabb/trials/aimed.h"
 #include "../chapters/14_bvh/refit.h"

@@ -1,6 +1,6 @@
 /* The tree itself: selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/cost.h"
+#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/14_bvh/lab/greed.h"
 #include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/soup.h"

@@ -15,7 +15,7 @@
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/scenes/soup.h"
 #include "../bvh_mesh.h"
-#include "../cost.h"
+#include "cost.h"
 
 enum { greed_items = 10 };
 

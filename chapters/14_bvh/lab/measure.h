@@ -13,7 +13,7 @@
 #include "../../09_aabb/trials/growth.h"
 #include "../bvh.h"
 #include "../first.h"
-#include "../cost.h"
+#include "cost.h"
 #include "greed.h"
 #include "slivers.h"
 

@@ -16,7 +16,7 @@
 #ifndef BVH_COST_H
 #define BVH_COST_H
 
-#include "search.h"
+#include "../search.h"
 
 typedef struct { double nodes, tests; } tree_cost;
 
