@@ -29,9 +29,9 @@
 #ifndef MONTE_CARLO_IMPORTANCE_H
 #define MONTE_CARLO_IMPORTANCE_H
 
-#include "../../common/numbers/estimate.h"
-#include "../../common/random.h"
-#include "sampling.h"
+#include "../../../common/numbers/estimate.h"
+#include "../../../common/random.h"
+#include "../sampling.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
