@@ -103,14 +103,19 @@ static inline void *allocate(size_t count, size_t size)
     return p;
 }
 
-/* An array of n items with room for one more, the rest zero: p, or a copy of twice the size. */
+/* An array of n items with room for `more`, the rest zero: p, or a copy of twice the size. */
+static inline void *grown_by(void *p, size_t n, size_t more, size_t *room, size_t size)
+{
+    if (n + more <= *room) return p;
+    void *copy = allocate(*room = 2 * *room + more + 63, size);
+    if (p) memcpy(copy, p, n * size);
+    free(p);
+    return copy;
+}
+
 static inline void *grown(void *p, size_t n, size_t *room, size_t size)
 {
-    if (n < *room) return p;
-    void *more = allocate(*room = 2 * *room + 64, size);
-    if (p) memcpy(more, p, n * size);
-    free(p);
-    return more;
+    return grown_by(p, n, 1, room, size);
 }
 
 /* The files that this run has read. */

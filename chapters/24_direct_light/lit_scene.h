@@ -81,22 +81,12 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Room for `more` after n of them; what is there stays. */
-static inline void *lit_grow(void *old, size_t n, size_t more, size_t size, size_t *room)
-{
-    if (n + more <= *room) return old;
-    void *x = allocate(*room = 2 * *room + more + 16, size);
-    if (n) memcpy(x, old, n * size);
-    free(old);
-    return x;
-}
-
 static inline void lit_begin(lit_scene *s) { *s = (lit_scene){.background = {0, 0, 0}}; }
 
 static inline uint16_t lit_add_material(lit_scene *s, lit_material m)
 {
     if (s->materials >= UINT16_MAX) die(2, "more than 65535 materials");
-    s->material = lit_grow(s->material, s->materials, 1, sizeof m, &s->room.materials);
+    s->material = grown(s->material, s->materials, &s->room.materials, sizeof m);
     s->material[s->materials] = m;
     return (uint16_t)s->materials++;
 }
@@ -105,7 +95,7 @@ static inline uint16_t lit_add_material(lit_scene *s, lit_material m)
 static inline uint32_t lit_emitter(lit_scene *s, emitter e)
 {
     if (!(e.area > 0) || !isfinite(e.area) || vzero(e.Le)) return lit_dark;
-    s->emitter = lit_grow(s->emitter, s->emitters, 1, sizeof e, &s->room.emitters);
+    s->emitter = grown(s->emitter, s->emitters, &s->room.emitters, sizeof e);
     s->emitter[s->emitters] = e;
     return (uint32_t)s->emitters++;
 }
@@ -113,8 +103,8 @@ static inline uint32_t lit_emitter(lit_scene *s, emitter e)
 /* Room for so many corners and triangles more. */
 static inline void lit_room(lit_scene *s, size_t points, size_t n)
 {
-    s->m.v = lit_grow(s->m.v, s->m.vertices, points, sizeof *s->m.v, &s->room.v);
-    s->part = lit_grow(s->part, s->m.triangles, n, sizeof *s->part, &s->room.parts);
+    s->m.v = grown_by(s->m.v, s->m.vertices, points, &s->room.v, sizeof *s->m.v);
+    s->part = grown_by(s->part, s->m.triangles, n, &s->room.parts, sizeof *s->part);
 }
 
 static inline void lit_add_light(lit_scene *s, light l) { lit_emitter(s, emitter_of_light(l)); }
@@ -158,7 +148,7 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
     lit_room(s, from->vertices, from->triangles);
     for (size_t i = 0; i < from->vertices; i++) m->v[m->vertices++] = from->v[i];
     if (from->n) {
-        m->n = lit_grow(m->n, n, from->normals, sizeof *m->n, &s->room.n);
+        m->n = grown_by(m->n, n, from->normals, &s->room.n, sizeof *m->n);
         for (size_t i = 0; i < from->normals; i++) m->n[m->normals++] = from->n[i];
     }
     for (size_t i = 0; i < from->triangles; i++) {
@@ -175,8 +165,8 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
 
 static inline void lit_add_shape(lit_scene *s, shape x, uint16_t look)
 {
-    s->of_shape = lit_grow(s->of_shape, s->shapes, 1, sizeof *s->of_shape, &s->room.of_shape);
-    s->shape = lit_grow(s->shape, s->shapes, 1, sizeof x, &s->room.shapes);
+    s->of_shape = grown(s->of_shape, s->shapes, &s->room.of_shape, sizeof *s->of_shape);
+    s->shape = grown(s->shape, s->shapes, &s->room.shapes, sizeof x);
     s->of_shape[s->shapes] = look;
     s->shape[s->shapes++] = x;
 }
