@@ -8,7 +8,6 @@
  *   0 |-------''               R + T = 1; R = 1 in total reflection
  *     0     i      90
  *   real R = fresnel(&s)              exact, for the cosines of refract.h
- *   real T = fresnel_through(&s)      by (19.6): a check, R + T = 1
  *   real R = schlick(&s)              R0 + (1 - R0)(1 - c)^5,  R0 = ((n1-n2)/(n1+n2))^2  (19.7)
  *                                     c: the cosine on the thinner side, n1 > n2 ? ct : ci
  *
@@ -39,15 +38,6 @@ static inline real fresnel(const snell *s)
     double k = x / (a * b), ks = k * b, kp = k * y * a;                                 /* (19.8) */
     double R = (ks * ks + kp * kp) / 2;
     return (real)(R < 1 ? R : 1);  /* at a grazing angle rounding may bring it past 1 */
-}
-
-static inline real fresnel_through(const snell *s)
-{
-    double pq = s->n1 * s->ci + s->n2 * s->ct, uv = s->n2 * s->ci + s->n1 * s->ct;
-    if (s->total) return 0;
-    if (s->n1 == s->n2) return 1;
-    double g = 2 * s->n1 * s->n2 * s->ci * s->ct;
-    return (real)(g / (pq * pq) + g / (uv * uv));                                       /* (19.6) */
 }
 
 static inline real schlick(const snell *s)
