@@ -2,7 +2,7 @@
  * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
  * seeds. */
 #include "../chapters/23_brdf/lab/brdf_naive.h"
-#include "../chapters/23_brdf/reflection.h"
+#include "../chapters/23_brdf/lab/reference.h"
 #include "../common/lab/chi_square.h"
 #include "../common/lab/t_test.h"
 #include "check.h"

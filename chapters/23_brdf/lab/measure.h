@@ -13,7 +13,7 @@
 #include "../../../common/parallel.h"
 #include "brdf_naive.h"
 #include "../first.h"
-#include "../reflection.h"
+#include "reference.h"
 
 enum { MATTE, GLOSSY, WINDOW, surfaces };  /* the last reflects the window of first.h, no sky */
 enum { FIRST = 5, methods, levels = 5, brief_level = 2 };  /* without --full that one */
