@@ -46,7 +46,7 @@ typedef struct {
     interval T;                                /* of r, and its rounding */
     implicit_piece todo[implicit_most_depth];  /* the nearest on top */
     int n;
-    size_t pieces, proven;                     /* looked at; left out, or a root found in them */
+    size_t pieces;                             /* looked at */
     double done;                               /* all t before are settled */
 } implicit_search;
 
@@ -103,7 +103,6 @@ static inline bool implicit_found(implicit_search *z, implicit_piece p, implicit
 {
     *out = (implicit_root){p.T.lo, p.T.hi, p.single};
     z->done = p.T.hi;
-    z->proven++;
     if (!p.single && !implicit_prove(z, out)) return false;
     out->lo = interval_most(out->lo, z->T.lo), out->hi = interval_least(out->hi, z->T.hi);
     return true;
@@ -120,7 +119,7 @@ static inline bool implicit_settle(implicit_search *z, implicit_piece p, implici
 {
     interval T = p.T;
     jet J = implicit_range(z->s, z->r, T);
-    if (!interval_has(J.v, 0)) return z->proven++, false;                               /* (5.5) */
+    if (!interval_has(J.v, 0)) return false;                                            /* (5.5) */
     double m = implicit_middle(T);
     bool least = !(m > T.lo && m < T.hi) || z->n + 2 > implicit_most_depth;
     interval spread = interval_mul(J.d, interval_sub(T, interval_at(m)));
@@ -132,11 +131,11 @@ static inline bool implicit_settle(implicit_search *z, implicit_piece p, implici
         if (!least) return implicit_halve(z, T, m), false;
         return interval_is_bounded(J.v) && implicit_found(z, p, out);
     }
-    if (!interval_has(interval_add(F, spread), 0)) return z->proven++, false;
+    if (!interval_has(interval_add(F, spread), 0)) return false;
     if (rises) {
         interval N = implicit_newton_range(m, F, J.d), rest = interval_meet(N, T);      /* (5.6) */
         p.single = p.single || (N.lo > T.lo && N.hi < T.hi);
-        if (interval_is_empty(rest)) return z->proven++, false;
+        if (interval_is_empty(rest)) return false;
         p.T = rest;
         if (interval_width(rest) > interval_width(T) / 2 || least)
             return implicit_found(z, p, out);

@@ -243,19 +243,17 @@ static inline void painter_uncut(const mesh *m, painter *out)
  * there are triangles. An eye in the plane sees its pieces edge-on: any order will do. */
 static inline size_t painter_order(const painter *p, vec3 eye, uint32_t *order)
 {
-    typedef struct { uint32_t node; bool near_half; } waiting;
-    waiting *stack = allocate(p->nodes + 1, sizeof *stack);
+    uint32_t *stack = allocate(p->nodes + 1, sizeof *stack), at = p->nodes ? 0 : UINT32_MAX;
     size_t top = 0, n = 0;
-    uint32_t at = p->nodes ? 0 : UINT32_MAX;
     vec3 e = vsub(eye, p->middle);
     for (;;) {
         while (at != UINT32_MAX) {  /* down the far side */
-            stack[top++] = (waiting){at, false};
+            stack[top++] = at;
             bool front = side_of(&p->node[at].p, e) > 0;
             at = front ? p->node[at].back : p->node[at].front;
         }
         if (top == 0) break;
-        const painter_node *x = &p->node[stack[--top].node];
+        const painter_node *x = &p->node[stack[--top]];
         for (uint32_t k = 0; k < x->pieces; k++) order[n++] = x->piece + k;
         at = side_of(&x->p, e) > 0 ? x->front : x->back;
     }
