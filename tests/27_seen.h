@@ -2,6 +2,7 @@
  *
  *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this, as 27_files.h
  *   set q; set_up(&q, text); .. tear_down(&q);         a scene, its plan, its stage
+ *   dice d = dice_start(seed, pixel, k)                dice_sample of one alone: the same numbers
  *   vec3 L = seen_along(&q, r)                         one throw of the dice, from where r begins
  *   test_same(what, one, other)                        two scenes without chance are one picture
  *   test_way(text, z, exponent)                        the light left along -z
@@ -41,6 +42,13 @@ static inline void tear_down(set *q)
 static inline double some(random_stream *r, double lowest, double highest)
 {
     return lowest + (highest - lowest) * (double)random_next(r);
+}
+
+static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
+{
+    const uint64_t half = 2 * pixel + k % 2;
+    return (dice){sampler_start(SEQUENCE_SOBOL, seed, half, k / 2, 1u << 31),
+                  random_start(seed, half, k / 2).key};
 }
 
 static inline vec3 seen_along(const set *q, ray r)

@@ -119,9 +119,9 @@ static void test_hits(void)
             off += !(vlength(vsub(a.p, p)) <= 4096 * real_epsilon);
             away += !(fabs(vlength(a.n) - 1) <= 8 * real_epsilon && a.error >= 0 && a.noise >= 0);
             if (x.place == no_shape || studio_hit_solid(&t, x)) continue;
-            size_t k;
+            uint32_t k;
             (void)studio_triangle(&t, x.place, x.h.shape, &k);
-            if (k == t.moved.n) continue;
+            if (k == no_shape) continue;
             real pad = placing_pad(&t.pad[k], a.p);  /* (16.3), beside what 18 asks of a triangle */
             away += !(a.error > pad && a.noise > pad);
         }

@@ -2,9 +2,8 @@
  *
  *   number = f(seed, pixel, sample, node, purpose)
  *
- *   dice d = dice_start(seed, pixel, k)               sample k of a pixel; or, where many follow,
- *   dice_pixel p; dice_pixel_of(seed, pixel, &p);     hashed once a pixel, which outlives them:
- *   dice d = dice_sample(&p, k)                       the same numbers
+ *   dice_pixel p; dice_pixel_of(seed, pixel, &p);     hashed once, and outlives
+ *   dice d = dice_sample(&p, k)                       sample k of the pixel
  *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
  *   real u = dice_number(&d, node, purpose)           one, independent of all others
  *   random_stream s = dice_stream(&d, node)           a row of such numbers
@@ -27,8 +26,7 @@ typedef enum {
 } dice_purpose;
 
 enum { DICE_PIXEL = 1, DICE_LENS = 2 };  /* of the eye: number 0 is of its node */
-typedef struct { sampler_keys pairs; uint64_t own; } dice_half;
-typedef struct { dice_half half[2]; } dice_pixel;
+typedef struct { sampler_keys pairs[2]; uint64_t own[2]; } dice_pixel;  /* of each half */
 typedef struct { sampler pairs; uint64_t own; } dice;
 enum { dice_depth = 3, dice_row = 32 };  /* dice_row: number of a stream; others are below */
 
@@ -37,22 +35,15 @@ enum { dice_depth = 3, dice_row = 32 };  /* dice_row: number of a stream; others
 static inline void dice_pixel_of(uint64_t seed, uint64_t pixel, dice_pixel *out)
 {
     for (uint64_t k = 0; k < 2; k++) {
-        sampler_keys_of(SEQUENCE_SOBOL, seed, 2 * pixel + k, &out->half[k].pairs);
-        out->half[k].own = random_pixel(seed, 2 * pixel + k);
+        sampler_keys_of(SEQUENCE_SOBOL, seed, 2 * pixel + k, &out->pairs[k]);
+        out->own[k] = random_pixel(seed, 2 * pixel + k);
     }
 }
 
 static inline dice dice_sample(const dice_pixel *p, uint32_t k)
 {
-    const dice_half *h = &p->half[k % 2];
-    return (dice){sampler_of_keys(&h->pairs, k / 2, 1u << 31), random_sample(h->own, k / 2).key};
-}
-
-static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
-{
-    dice d = {.pairs = sampler_start(SEQUENCE_SOBOL, seed, 2 * pixel + k % 2, k / 2, 1u << 31)};
-    d.own = random_start(seed, 2 * pixel + k % 2, k / 2).key;
-    return d;
+    return (dice){sampler_of_keys(&p->pairs[k % 2], k / 2, 1u << 31),
+                  random_sample(p->own[k % 2], k / 2).key};
 }
 
 /* Mixed: 16 node + kind alone would forget the first ray after eight, and of ten bounces in a row

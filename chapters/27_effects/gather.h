@@ -62,17 +62,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* studio_surface, of balls and polygons without a call that copies ray and hit. */
-effects_inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
-{
-    const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
-    if (s && s->kind == SHAPE_SPHERE)
-        return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
-    if (s && s->kind == SHAPE_POLYGON)
-        return surface_on_polygon(s->polygon, x.h.shape, ray_at(r, x.h.t));
-    return studio_surface(&e->t, r, x);
-}
-
 /* What the medium that fills the place leaves of the light. */
 static inline vec3 gather_left(const effects_stage *e, const media_set *in, real way)
 {
@@ -98,7 +87,7 @@ static inline vec3 gather_clear(const effects_stage *e, media_set in, ray r, boo
         if (!studio_tree_hit(&e->t, r, &x))
             return absorbs ? vmul(left, gather_left(e, &in, r.tmax * vlength(r.d))) : left;
         const appearance *a = &e->look[studio_hit_material(&e->t, x)];
-        surface s = effects_surface(e, r, x);
+        surface s = studio_surface(&e->t, r, x);
         bool body = appearance_body(a), stands = false;
         if (body) touch_at(&e->t, e->look, e->near, false, r, x, &s, &at);
         if (at.opaque.h.shape != no_shape) stands = fabs(vdot(s.n, vsub(r.o, s.p))) <= at.more;

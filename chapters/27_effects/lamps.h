@@ -25,7 +25,7 @@
 typedef struct {
     emitter *face;
     studio_face *lies_in;   /* [n] what of the studio it is; no face: not flat */
-    size_t n, room, lying;
+    size_t n;
     lit_lights of;
     real sum;
 } lamp_list;
@@ -42,10 +42,7 @@ static inline void lamps_free(lamp_list *l)
 /* Lamp x is in face `of`. */
 static inline void lamps_add(lamp_list *l, emitter x, studio_face of)
 {
-    if (!(x.area > 0) || !isfinite(x.area)) return;
-    l->face = grown(l->face, l->n, &l->room, sizeof *l->face);
-    l->lies_in = grown(l->lies_in, l->n, &l->lying, sizeof *l->lies_in);
-    l->lies_in[l->n] = of, l->face[l->n++] = x;
+    if (x.area > 0 && isfinite(x.area)) l->lies_in[l->n] = of, l->face[l->n++] = x;
 }
 
 /* In a studio nothing else shines: finish.h. */
@@ -62,18 +59,19 @@ static inline emitter lamps_of_shape(const shape *s, vec3 Ke)
  * be enough, and is not proven to be. */
 static inline emitter lamps_of_triangle(const studio_tree *t, studio_face x, vec3 Ke)
 {
-    size_t k;
+    uint32_t k;
     triangle c = studio_triangle(t, x.place, x.index, &k);
     emitter one = emitter_of_triangle(c, Ke);
     vec3 most = vmax(vmax(vmax(c.a, vneg(c.a)), vmax(c.b, vneg(c.b))), vmax(c.c, vneg(c.c)));
-    if (k < t->moved.n) one.noise += 2 * placing_pad(&t->pad[k], most);
+    if (k != no_shape) one.noise += 2 * placing_pad(&t->pad[k], most);
     return one;
 }
 
 static inline void lamps_build(const studio_tree *t, lamp_list *out)
 {
     const studio *s = t->s;
-    *out = (lamp_list){.face = NULL};
+    *out = (lamp_list){.face = allocate(s->emitters, sizeof *out->face),
+                       .lies_in = allocate(s->emitters, sizeof *out->lies_in)};
     for (size_t i = 0; i < s->emitters; i++) {
         studio_face x = s->emitter[i];
         studio_hit h = {{0, 0, 0, x.index}, x.place};

@@ -130,14 +130,16 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
     return 1;
 }
 
-/* The material at this angle: itself, or with Fresnel *k. x is set if it bends. */
+/* The material at this angle: itself, or with Fresnel *k, of which the colours are set (gcc copies
+ * the whole word by word). x is set if it bends. */
 effects_inline const appearance *effects_angle(const gather_hit *h, const unsigned mask,
                                                const snell *x, bool bends, appearance *k)
 {
     const appearance *a = h->a;
     if (!a->fresnel) return a;
     real cosine = real_min(1, fabs(vdot(h->s.ns, h->b->r.d)));
-    *k = *a;
+    k->matte = a->matte, k->highlight = a->highlight, k->mirror = a->mirror;
+    k->glossy = a->glossy, k->through = a->through;
     if ((mask & EFFECT_GLOSSY) && a->rough > 0) {  /* for effects_facet */
         k->mirror = k->through = (vec3){0, 0, 0};
     } else if (vzero(a->through)) {
@@ -226,7 +228,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         return 0;
     }
     uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
-    surface s = effects_surface(e, b->r, x);
+    surface s = studio_surface(&e->t, b->r, x);
     real more = 0;
     media_set after;
     bool body = (mask & EFFECT_REFRACTION) && appearance_body(&e->look[m]);

@@ -78,27 +78,21 @@ static inline void effects_stage_effects(effects_stage *e, unsigned mask)
     e->chance = (mask & (EFFECTS_OF_CHANCE | EFFECTS_DICED)) != 0;
 }
 
-static inline void effects_stage_materials(effects_stage *e)
-{
-    const studio *s = e->s;
-    e->look = appearances_of(s);
-    e->media = allocate(s->materials + 1, sizeof *e->media);
-    e->media[0] = (medium){.ior = 1};
-    for (size_t m = 0; m < s->materials; m++) {
-        const appearance *a = &e->look[m];
-        e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
-        e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
-    }
-    e->near = touch_near_of(s, e->look, &e->glass);
-}
-
 static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)
 {
     *out = (effects_stage){.s = s, .depth = stage_most_depth, .least = (real)1 / 512,
                             .headlight = studio_dark(s)};
     if (!studio_tree_build(s, &out->t, f)) return false;
     lamps_build(&out->t, &out->lamp);
-    effects_stage_materials(out);
+    out->look = appearances_of(s);
+    out->near = touch_near_of(s, out->look, &out->glass);
+    out->media = allocate(s->materials + 1, sizeof *out->media);
+    out->media[0] = (medium){.ior = 1};
+    for (size_t m = 0; m < s->materials; m++) {
+        const appearance *a = &out->look[m];
+        out->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
+        out->clear |= s->material[m].used && !vzero(a->through) && !a->bends;
+    }
     effects_stage_effects(out, EFFECTS_ALL);
     return true;
 }

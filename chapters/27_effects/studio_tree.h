@@ -43,6 +43,7 @@ typedef struct {
     instances moved;
     instance *moved_list;     /* [moved.n] */
     uint32_t *moved_place;    /* [moved.n] */
+    uint32_t *moved_of;       /* [places] which of the moved it is; no_shape: it stands */
     placing *pad;             /* [moved.n] */
     size_t parts, solids;
 } studio_tree;
@@ -54,7 +55,7 @@ static inline void studio_tree_free(studio_tree *t)
     for (size_t k = 0; k < t->parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
     free(t->all), free(t->part), free(t->place);
-    free(t->moved_list), free(t->moved_place), free(t->pad);
+    free(t->moved_list), free(t->moved_place), free(t->moved_of), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
 
@@ -72,15 +73,16 @@ static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
     bool *has = allocate(s->meshes, sizeof *has);
     t->moved_list = allocate(s->places, sizeof *t->moved_list);
     t->moved_place = allocate(s->places, sizeof *t->moved_place);
-    size_t moved = 0;
+    t->moved_of = allocate(s->places, sizeof *t->moved_of);
+    uint32_t moved = 0;
     bool ok = true;
     for (uint32_t i = 0; ok && i < s->places; i++) {
         uint32_t m = s->placed[i].mesh;
         if (!has[m] && studio_stands(s, i)) {
-            has[m] = true;
+            has[m] = true, t->moved_of[i] = no_shape;
             ok = studio_tree_add(t, (world_part){.m = &s->mesh[m], .mask = MASK_ALL}, i, f);
         } else {
-            t->moved_list[moved] = s->placed[i];
+            t->moved_list[moved] = s->placed[i], t->moved_of[i] = moved;
             t->moved_place[moved++] = i;
         }
     }
@@ -208,40 +210,27 @@ static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
     return of ? of->material : studio_material_of(t->s, x.place, x.h.shape);
 }
 
-/* Which of the moved a place is: they are in the order of the places; t.moved.n: it stands. */
-static inline size_t studio_moved_index(const studio_tree *t, uint32_t place)
-{
-    size_t lo = 0, hi = t->moved.n;
-    while (lo < hi) {
-        size_t middle = lo + (hi - lo) / 2;
-        if (t->moved_place[middle] < place) lo = middle + 1;
-        else hi = middle;
-    }
-    return lo < t->moved.n && t->moved_place[lo] == place ? lo : t->moved.n;
-}
-
-/* Triangle `index` of a place, in the world; *moved: as studio_moved_index. */
+/* Triangle `index` of a place, in the world; *moved: as moved_of. */
 static inline triangle studio_triangle(const studio_tree *t, uint32_t place, uint32_t index,
-                                       size_t *moved)
+                                       uint32_t *moved)
 {
     const instance *at = &t->s->placed[place];
     triangle c = mesh_triangle(&t->s->mesh[at->mesh], index);
-    *moved = studio_moved_index(t, place);
-    if (*moved == t->moved.n) return c;
+    *moved = t->moved_of[place];
+    if (*moved == no_shape) return c;
     const affine *w = &at->to_world;
     return (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
 }
 
-static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
+static inline surface studio_surface_placed(const studio_tree *t, ray r, studio_hit x)
 {
     const studio *s = t->s;
-    if (x.place == no_shape) return surface_of_shape(&s->shape[x.h.shape], r, x.h);
     const studio_solid *of = studio_hit_solid(t, x);
     if (of) return solid_surface(of, r, x.h);
     const mesh *m = &s->mesh[s->placed[x.place].mesh];
-    size_t k;
+    uint32_t k;
     triangle c = studio_triangle(t, x.place, x.h.shape, &k);
-    if (k == t->moved.n) return surface_of_mesh(m, x.h);
+    if (k == no_shape) return surface_of_mesh(m, x.h);
     surface a = surface_on_triangle(c, x.h.shape, x.h.u, x.h.v);
     const affine *back = &t->moved.place[t->moved.where[k]].to_object;
     a.n = normal_to_world(back, triangle_normal(mesh_triangle(m, x.h.shape)));
@@ -249,6 +238,13 @@ static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
     real pad = placing_pad(&t->pad[k], a.p);
     a.error += pad, a.noise += pad;
     return a;
+}
+
+/* Shapes without a call, which would copy ray and hit. */
+effects_inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
+{
+    return x.place == no_shape ? surface_of_shape(&t->s->shape[x.h.shape], r, x.h)
+                               : studio_surface_placed(t, r, x);
 }
 
 #endif
