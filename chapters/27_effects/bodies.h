@@ -69,10 +69,9 @@ static inline media_set bodies_along(const effects_stage *e, ray r)
     uint32_t n = 0;
     for (int k = 0; k < stage_most_faces && bodies_step(e, &r, &in, &after); k++) {
         /* left, but never entered: outside all before */
-        media_set left = in;
-        for (left.n -= n; left.n > 0 && around.n < media_most; left.n--) {
-            for (n = around.n++; n > 0; n--) around.body[n] = around.body[n - 1];
-            around.body[0] = left.body[left.n - 1];
+        for (uint32_t left = in.n - n; left-- > 0 && around.n < media_most; around.n++) {
+            memmove(around.body + 1, around.body, around.n * sizeof *around.body);
+            around.body[0] = in.body[left];
         }
         in = after, n = in.n;
     }
@@ -83,15 +82,13 @@ static inline media_set bodies_around(const effects_stage *e, vec3 o)
 {
     const vec3 way[5] = {vec(0.36, 0.48, 0.8), vec(-0.8, 0.36, 0.48), vec(0.48, -0.8, -0.36),
                          vec(-0.48, 0.64, -0.6), vec(0.28, -0.6, 0.75)};
-    media_set all = {0}, in = {0};
-    for (int k = 0; k < 5; k++) {
+    media_set all = bodies_along(e, ray_from(o, way[0]));
+    for (int k = 1; k < 5; k++) {
         media_set one = bodies_along(e, ray_from(o, way[k]));
-        in = (media_set){0};
-        for (uint32_t i = 0; i < (k ? all.n : one.n); i++) {
-            uint32_t body = k ? all.body[i] : one.body[i];
-            if (media_has(&one, body)) in.body[in.n++] = body;
-        }
-        all = in;
+        uint32_t n = 0;
+        for (uint32_t i = 0; i < all.n; i++)
+            if (media_has(&one, all.body[i])) all.body[n++] = all.body[i];
+        all.n = n;
     }
     return all;
 }

@@ -25,7 +25,7 @@ typedef enum {
     DICE_SURVIVES_INDIRECT, DICE_SURVIVES_REFRACTION, dice_purposes
 } dice_purpose;
 
-enum { DICE_PIXEL = 1, DICE_LENS = 2 };  /* of the eye: number 0 is of its node */
+enum { DICE_PIXEL, DICE_LENS, dice_of_eye };  /* its pairs: where in the pixel, on the lens */
 typedef struct { sampler_keys pairs[2]; uint64_t own[2]; } dice_pixel;  /* of each half */
 typedef struct { sampler pairs; uint64_t own; } dice;
 enum { dice_depth = 3, dice_row = 32 };  /* dice_row: number of a stream; others are below */
@@ -53,12 +53,6 @@ static inline uint32_t dice_child(uint32_t node, uint32_t kind)
     return (uint32_t)(random_mix(16 * (uint64_t)node + kind + 1) >> 32);
 }
 
-/* Of the eye: where in the pixel, where on the lens. */
-static inline point2 dice_eye(const dice *d, uint32_t what)
-{
-    return sampler_sobol(&d->pairs, what - 1);
-}
-
 effects_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
 {
     return random_mix(d->own ^ random_mix(random_step * (node * (uint64_t)64 + number + 1)));
@@ -81,7 +75,7 @@ static inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_pur
         real v = random_real_of(dice_bits(d, node, dice_purposes + 2 * (uint32_t)purpose + 1));
         return (point2){u, v};
     }
-    return sampler_sobol(&d->pairs, node * dice_purposes + (uint32_t)purpose + 2);
+    return sampler_sobol(&d->pairs, node * dice_purposes + (uint32_t)purpose + dice_of_eye);
 }
 
 #endif

@@ -35,8 +35,8 @@ effects_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
     const effects_stage *e = j->e;
     point2 at = {0.5, 0.5}, on = {0, 0};
     bool lens = (e->mask & EFFECT_DEPTH_OF_FIELD) != 0;
-    if (!j->middle) at = dice_eye(d, DICE_PIXEL);
-    if (lens) on = dice_eye(d, DICE_LENS);
+    if (!j->middle) at = sampler_sobol(&d->pairs, DICE_PIXEL);
+    if (lens) on = sampler_sobol(&d->pairs, DICE_LENS);
     thin_lens l = {lens ? e->lens.radius : 0, e->lens.focus};
     ray r = lens_ray(e->eye, l, (real)x + at.u, (real)y + at.v, j->width, j->height, on);
     r.tmin = e->hither;
