@@ -149,15 +149,16 @@ effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, ve
     real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
     vec3 sum = vscale(k->matte, c / pi * w);
     if (h->a->has_lobe) {
+        const brdf *lobe = &h->a->lobe;
         shading_frame f = shading_frame_of(h->s.ns);
         vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
         if (vzero(k->mirror) || !(pdf < real_infinity))  /* else it shows it */
             both = vscale(k->highlight, mis_power(pdf, q));
         if (!vzero(k->glossy)) {
-            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(&h->a->lobe, i, o)) : 1;
+            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);
         }
-        sum = vmadd(sum, vmul(both, brdf_value_local(&h->a->lobe, i, o)), c);
+        sum = vmadd(sum, vmul(both, brdf_value_local(lobe, i, o)), c);
     }
     return sum;
 }
