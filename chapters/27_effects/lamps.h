@@ -59,11 +59,10 @@ static inline emitter lamps_of_shape(const shape *s, vec3 Ke)
  * be enough, and is not proven to be. */
 static inline emitter lamps_of_triangle(const studio_tree *t, studio_face x, vec3 Ke)
 {
-    uint32_t k;
-    triangle c = studio_triangle(t, x.place, x.index, &k);
+    triangle c = studio_triangle(t->s, x.place, x.index);
     emitter one = emitter_of_triangle(c, Ke);
     vec3 most = vmax(vmax(vmax(c.a, vneg(c.a)), vmax(c.b, vneg(c.b))), vmax(c.c, vneg(c.c)));
-    if (k != no_shape) one.noise += 2 * placing_pad(&t->pad[k], most);
+    if (studio_moved(t, x.place)) one.noise += 2 * placing_pad(&t->pad[x.place], most);
     return one;
 }
 

@@ -17,8 +17,8 @@
  *
  * Trees only where they have something to hold: parts of a world of 18, one of all shapes, one for
  * each mesh that stands as it is in its file; one of two levels (16) for those that were moved, or
- * stand a second time. There what rounding moves on the way and back, the pad of (16.3), is added to
- * `error` and `noise` of a surface.
+ * stand a second time. There what rounding moves on the way and back, the pad of (16.3), is added
+ * to `error` and `noise` of a surface.
  */
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H
@@ -40,11 +40,8 @@ typedef struct {
     scene *all;               /* the shapes */
     world_part *part;         /* [parts] the first of shapes, perhaps of none */
     uint32_t *place;          /* [parts] of each; no_shape: of shapes */
-    instances moved;
-    instance *moved_list;     /* [moved.n] */
-    uint32_t *moved_place;    /* [moved.n] */
-    uint32_t *moved_of;       /* [places] which of the moved it is; no_shape: it stands */
-    placing *pad;             /* [moved.n] */
+    instances moved;          /* numbered as the places are; .n 0: none was */
+    placing *pad;             /* [places] of those that were moved */
     size_t parts, solids;
 } studio_tree;
 
@@ -54,8 +51,7 @@ static inline void studio_tree_free(studio_tree *t)
 {
     for (size_t k = 0; k < t->parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
-    free(t->all), free(t->part), free(t->place);
-    free(t->moved_list), free(t->moved_place), free(t->moved_of), free(t->pad);
+    free(t->all), free(t->part), free(t->place), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
 
@@ -67,53 +63,45 @@ static inline bool studio_tree_add(studio_tree *t, world_part p, uint32_t place,
     return true;
 }
 
-/* Which places stand: the first of each mesh that is not moved. */
-static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
+/* Trees only for meshes that are moved: the others get an empty one, from an empty mesh. points: of
+ * all instances: what tight boxes would cost. */
+static inline bool studio_tree_moved(studio_tree *t, const crowd *c, size_t points, failure *f)
 {
-    bool *has = allocate(s->meshes, sizeof *has);
-    t->moved_list = allocate(s->places, sizeof *t->moved_list);
-    t->moved_place = allocate(s->places, sizeof *t->moved_place);
-    t->moved_of = allocate(s->places, sizeof *t->moved_of);
-    uint32_t moved = 0;
-    bool ok = true;
-    for (uint32_t i = 0; ok && i < s->places; i++) {
-        uint32_t m = s->placed[i].mesh;
-        if (!has[m] && studio_stands(s, i)) {
-            has[m] = true, t->moved_of[i] = no_shape;
-            ok = studio_tree_add(t, (world_part){.m = &s->mesh[m], .mask = MASK_ALL}, i, f);
-        } else {
-            t->moved_list[moved] = s->placed[i], t->moved_of[i] = moved;
-            t->moved_place[moved++] = i;
-        }
-    }
-    t->moved.n = moved;
-    free(has);
-    return ok;
-}
-
-/* Trees only for meshes that are moved: the others get an empty one, from an empty mesh. */
-static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f)
-{
-    size_t n = t->moved.n;
-    if (!n) return true;
-    mesh *used = allocate(s->meshes, sizeof *used);
-    for (size_t i = 0, m; i < n; i++) m = t->moved_list[i].mesh, used[m] = s->mesh[m];
     instances_options how = instances_defaults;
-    size_t points = 0;  /* of all instances: what tight boxes would cost */
-    for (size_t i = 0; i < n; i++) points += s->mesh[t->moved_list[i].mesh].vertices;
     how.boxes = points > 20000000 ? INSTANCES_CORNERS : INSTANCES_POINTS;
-    crowd c = {used, s->meshes, t->moved_list, n};
-    bool ok = instances_build(&c, how, &t->moved, f);
-    t->moved.mesh = s->mesh;  /* `used` ends here; the trees copied what they need */
-    t->pad = allocate(n, sizeof *t->pad);
-    for (size_t i = 0; ok && i < n; i++) {
+    if (!instances_build(c, how, &t->moved, f)) return false;
+    t->moved.mesh = t->s->mesh;  /* those of the crowd end; the trees copied what they need */
+    t->pad = allocate(c->n, sizeof *t->pad);
+    for (size_t i = 0; i < c->n; i++) {
         uint32_t where = t->moved.where[i];
         if (where == no_shape) continue;
         const placed *p = &t->moved.place[where];
-        t->pad[i] = placing_of(t->moved_list[i].to_world, p->to_object,
+        t->pad[i] = placing_of(c->list[i].to_world, p->to_object,
                                box_farthest(&t->moved.lower[p->mesh].tree.node[0].box));
     }
-    free(used);
+    return true;
+}
+
+/* The first place of each mesh that is not moved stands. To 16 it is one of an empty mesh, behind
+ * all others, so that an instance has the number of its place. */
+static inline bool studio_tree_places(studio_tree *t, failure *f)
+{
+    const studio *s = t->s;
+    bool *has = allocate(s->meshes, sizeof *has), ok = true;
+    mesh *used = allocate(s->meshes + 1, sizeof *used);
+    instance *list = allocate(s->places, sizeof *list);
+    size_t moved = 0, points = 0;
+    for (uint32_t i = 0; ok && i < s->places; i++) {
+        uint32_t m = s->placed[i].mesh;
+        list[i] = s->placed[i];
+        if (!has[m] && studio_stands(s, i)) {
+            has[m] = true, list[i].mesh = (uint32_t)s->meshes;
+            ok = studio_tree_add(t, (world_part){.m = &s->mesh[m], .mask = MASK_ALL}, i, f);
+        } else used[m] = s->mesh[m], moved++, points += used[m].vertices;
+    }
+    const crowd c = {used, s->meshes + 1, list, s->places};
+    if (ok && moved) ok = studio_tree_moved(t, &c, points, f);
+    free(has), free(used), free(list);
     return ok;
 }
 
@@ -125,8 +113,7 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     out->part = allocate(s->meshes + 1, sizeof *out->part);
     out->place = allocate(s->meshes + 1, sizeof *out->place);
     const world_part shapes = {.s = out->all, .mask = MASK_ALL};
-    if (studio_tree_add(out, shapes, no_shape, f) && studio_tree_sort(s, out, f)
-        && studio_tree_moved(s, out, f)) return true;
+    if (studio_tree_add(out, shapes, no_shape, f) && studio_tree_places(out, f)) return true;
     studio_tree_free(out);
     return false;
 }
@@ -159,7 +146,7 @@ effects_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but
         if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), &h, NULL))
             studio_tree_keep(h, t->place[k], r, &found, out);
     if (t->moved.n && instances_hit(&t->moved, *r, &x))
-        studio_tree_keep(x.h, t->moved_place[x.instance], r, &found, out);
+        studio_tree_keep(x.h, x.instance, r, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
         if (csg_hit(&t->s->solid[k].c, *r, &h))
             studio_tree_keep(h, no_shape - 1 - k, r, &found, out);
@@ -210,15 +197,17 @@ static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
     return of ? of->material : studio_material_of(t->s, x.place, x.h.shape);
 }
 
-/* Triangle `index` of a place, in the world; *moved: as moved_of. */
-static inline triangle studio_triangle(const studio_tree *t, uint32_t place, uint32_t index,
-                                       uint32_t *moved)
+/* It does not stand as it is in its file. (What can't be hit counts as if it did.) */
+static inline bool studio_moved(const studio_tree *t, uint32_t place)
 {
-    const instance *at = &t->s->placed[place];
-    triangle c = mesh_triangle(&t->s->mesh[at->mesh], index);
-    *moved = t->moved_of[place];
-    if (*moved == no_shape) return c;
-    const affine *w = &at->to_world;
+    return t->moved.n && t->moved.where[place] != no_shape;
+}
+
+/* In the world. */
+static inline triangle studio_triangle(const studio *s, uint32_t place, uint32_t index)
+{
+    const affine *w = &s->placed[place].to_world;
+    triangle c = mesh_triangle(&s->mesh[s->placed[place].mesh], index);
     return (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
 }
 
@@ -228,14 +217,13 @@ static inline surface studio_surface_placed(const studio_tree *t, ray r, studio_
     const studio_solid *of = studio_hit_solid(t, x);
     if (of) return solid_surface(of, r, x.h);
     const mesh *m = &s->mesh[s->placed[x.place].mesh];
-    uint32_t k;
-    triangle c = studio_triangle(t, x.place, x.h.shape, &k);
-    if (k == no_shape) return surface_of_mesh(m, x.h);
+    if (!studio_moved(t, x.place)) return surface_of_mesh(m, x.h);
+    triangle c = studio_triangle(s, x.place, x.h.shape);
     surface a = surface_on_triangle(c, x.h.shape, x.h.u, x.h.v);
-    const affine *back = &t->moved.place[t->moved.where[k]].to_object;
+    const affine *back = &t->moved.place[t->moved.where[x.place]].to_object;
     a.n = normal_to_world(back, triangle_normal(mesh_triangle(m, x.h.shape)));
     a.ns = m->n ? normal_to_world(back, mesh_normal(m, x.h.shape, x.h.u, x.h.v)) : a.n;
-    real pad = placing_pad(&t->pad[k], a.p);
+    real pad = placing_pad(&t->pad[x.place], a.p);
     a.error += pad, a.noise += pad;
     return a;
 }

@@ -178,12 +178,11 @@ static inline bool touch_leaf(const void *context, uint32_t first, uint32_t coun
     const studio_tree *t = c->q->t;
     (void)any;
     for (const placed *p = t->moved.place + first, *end = p + count; p < end; p++) {
-        uint32_t place = t->moved_place[p->index];
         ray r;
         hit h;
-        if (place != c->q->of.place && instance_ray(&p->to_object, q->r, &r)
+        if (p->index != c->q->of.place && instance_ray(&p->to_object, q->r, &r)
             && bvh_mesh_hit(&t->moved.lower[p->mesh], r, &h))
-            touch_note(c->q, (studio_hit){h, place});
+            touch_note(c->q, (studio_hit){h, p->index});
     }
     return false;
 }
