@@ -209,6 +209,24 @@ static void test_shells(void)
     tear_down(&q);
 }
 
+/* Without refraction no ray is told what it is in: absorption, asked for alone, dims nothing. */
+static void test_alone(void)
+{
+    const unsigned way[] = {EFFECT_ABSORPTION, EFFECT_ABSORPTION | EFFECT_REFRACTION};
+    set q;
+    set_up(&q, "camera from 0 0 9 at 0 0 0\nbackground 1\nmaterial fog\nKd 0\nillum 6\nTf 1\n"
+               "absorb 1\nsphere 0 0 0 1\n");
+    for (int k = 0; k < 2; k++) {
+        dice d = dice_start(1, 0, 0);
+        effects_counts c = {.lost = 0};
+        ray up = ray_from((vec3){0, 0, 3}, (vec3){0, 1, 0});
+        effects_stage_effects(&q.e, way[k]);
+        vec3 L = effects_made_for(way[k])(&q.e, up, bodies_around(&q.e, (vec3){0, 0, 0}), &d, &c);
+        check_equal(L.x, k ? 0 : 1, "sky, begun in fog, with refraction: %d", k);
+    }
+    tear_down(&q);
+}
+
 /* A lamp at z = 0, Ke 1, seen from z = 9 through a block of fog from x0 z0 to x1 z1, Ni 1, begun at
  * the lens and at `hither`: the way in the fog, cut by the block, is what weakens it. */
 static void test_begins(const char *eye, double x0, double z0, double x1, double z1)
@@ -491,6 +509,7 @@ int main(void)
     test_whitted();
     test_within();
     test_shells();
+    test_alone();
     test_begins_elsewhere();
     test_furnace();
     test_smooth();

@@ -266,7 +266,8 @@ effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, 
     } else if (mask & (EFFECT_INDIRECT | EFFECT_GLOSSY))
         L = vscale(L, gather_found(mask, b, EFFECT_ENVIRONMENT, b->pdf < real_infinity
                                         ? sky_pdf(s, b->r.d, b->cosine) : 0));
-    if (mask & EFFECT_ABSORPTION)  /* an endless way through what absorbs */
+    /* An endless way through what absorbs; without refraction nobody knows what `in` is. */
+    if ((mask & EFFECT_ABSORPTION) && (mask & EFFECT_REFRACTION))
         L = vmul(L, gather_left(e, &b->in, real_infinity));
     return L;
 }
