@@ -12,7 +12,7 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "oracle.h"
-#include "relations.h"
+#include "../relations.h"
 
 enum { hard_inputs = 256 };
 typedef enum {
