@@ -181,15 +181,15 @@ static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, rea
 }
 
 /* (27.8), of a light, a lamp or the sky. */
-effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool lit, int kind,
+effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, int kind,
                                   const lit_draw *x, real q)
 {
     vec3 v = {0, 0, 0}, left;
-    if ((mask & EFFECT_GLOSSY) && h->facets && lit) {
+    if ((mask & EFFECT_GLOSSY) && h->facets) {
         real pdf;
         v = vmul(gather_facets(h, mask, x->wi, &pdf), x->Le);
         v = vscale(v, mis_power(x->pdf, pdf));
-    } else if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
+    } else if (vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
         v = vmul(gather_reflects(h, mask, x->wi, x->pdf, q), x->Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     bool passes = gather_passes(h, mask, x, kind, &left);
@@ -212,8 +212,7 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     if (!brdf_sample(&h->a->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
         return none;
     x.per = x.pdf, x.Le = sky->kind == SKY_NONE ? none : sky_radiance(sky, x.wi);
-    return gather_sample(&alone, mask, true, RAY_TO_SKY, &x,
-                         sky_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
+    return gather_sample(&alone, mask, RAY_TO_SKY, &x, sky_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
 }
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
@@ -222,15 +221,14 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
     const effects_stage *e = h->e;
     vec3 sum = {0, 0, 0};
     lit_draw x = {.far = false};
-    bool lit = (h->a->calls & EFFECTS_LIT) != 0;
-    if (!lit && !(mask & EFFECTS_SPEND)) return sum;
+    if (!(h->a->calls & EFFECTS_LIT) && !(mask & EFFECTS_SPEND)) return sum;
     for (size_t i = 0; mask & EFFECT_HARD_SHADOWS && i < e->s->lights; i++)
         if (lit_draw_light(&e->s->light[i].light, 1, h->s.p, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LIGHT, &x, 0));
+            sum = vadd(sum, gather_sample(h, mask, RAY_TO_LIGHT, &x, 0));
     if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
         if (lamps_sample(&e->lamp, h->s.p, h->s.n, u, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, &x, 0));
+            sum = vadd(sum, gather_sample(h, mask, RAY_TO_LAMP, &x, 0));
     }
     if (mask & EFFECT_ENVIRONMENT) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
@@ -239,7 +237,7 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
             seen = e->s->sky.kind == SKY_IMAGE && sky_draw(&e->s->sky, vneg(h->s.ns), u, &x);
         bool shines = !vzero(k->highlight) && vzero(k->mirror);
         real q = shines && seen ? brdf_pdf(&h->a->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
-        if (seen) sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x, q));
+        if (seen) sum = vadd(sum, gather_sample(h, mask, RAY_TO_SKY, &x, q));
         if (shines) sum = vadd(sum, gather_highlight(h, mask));
     }
     return sum;

@@ -93,9 +93,9 @@ effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int 
     return 1;
 }
 
-/* Through the surface; back where all is reflected. Media: `after` lies behind it. */
+/* Through the surface; back where all is reflected. */
 effects_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
-                                   bool bends, const media_set *after, branch *c)
+                                   bool bends, branch *c)
 {
     vec3 weight = vmul(h->b->weight, h->k->through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
@@ -104,7 +104,7 @@ effects_inline int effects_through(const gather_hit *h, const unsigned mask, con
     if (bends) on = lifted(back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns), side);
     effects_child(h, mask, RAY_REFRACTED, side, on, weight, c);
     if (!bends) effects_straight_on(h, c);
-    if (after && !back) c->in = *after;
+    if (h->behind && !back) c->in = *h->behind;
     return 1;
 }
 
@@ -170,7 +170,7 @@ static inline int effects_black_last(branch child[4], int n)
 
 /* Its children, the one to be traced first last. */
 effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
-                                    bool bends, const media_set *after, branch child[4])
+                                    bool bends, branch child[4])
 {
     const unsigned calls = mask & EFFECTS_SPEND ? mask : mask & h->a->calls;
     int n = 0;
@@ -184,7 +184,7 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
             effects_child(h, mask, RAY_MIRRORED, h->s.n,
                           lifted(reflect(h->b->r.d, h->s.ns), h->s.n), weight, &child[n++]);
     }
-    if (calls & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
+    if (calls & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, &child[n]);
     return mask & EFFECTS_SPEND ? effects_black_last(child, n) : n;
 }
 
@@ -282,7 +282,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     *sum = vadd(*sum, vmul(b->weight, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
-    return effects_children(&h, mask, &at, bends, h.behind, child);
+    return effects_children(&h, mask, &at, bends, child);
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied. Of
