@@ -16,6 +16,8 @@
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
  * that is handed out, and what was in doubt, is computed in `real`: ray8.h says how sure is sure.
+ * (But for the sign of a zero; and not where 1 / d, or the items' size in lengths of d, is no
+ * normal number: d of 1e-310, or of 1e303 for items of 1e-8. There t overflows or vanishes.)
  *
  *   how.leaf, how.width   most triangles in a block [1..8], children of a node [2..bvh8_places]
  *   how.threads           0: one a core; the tree is the same for any number
