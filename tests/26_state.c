@@ -32,8 +32,12 @@ static void test_tally(void)
     tally t = {0, 0};
     check(!tally_add(&t, (double)NAN) && t.low == 0 && t.high == 0, "a NaN is refused");
     check(tally_add(&t, (double)INFINITY), "infinity is cut");
-    check_equal(tally_sum(&t), 0x1p60, "to 2^60");
-    check(tally_add(&t, -0x1p60) && t.low == 0 && t.high == 0, "and taken away again");
+    check_equal(tally_sum(&t), 0x1p44, "to 2^44");
+    tally most = t, least = {0, INT64_MIN};
+    for (int k = 0; k < 20; k++) tally_join(&most, &most);
+    check_equal(tally_sum(&most), 0x1p64, "as many as --samples allows");
+    check_equal(tally_sum(&least), -0x1p65, "the least that a file can say");
+    check(tally_add(&t, -0x1p44) && t.low == 0 && t.high == 0, "and taken away again");
     tally_add(&t, -1e-30), tally_add(&t, 1e-30), tally_add(&t, -0.0);
     check(t.low == 0 && t.high == 0, "less than 2^-62 is nothing, on both sides");
     tally_add(&t, -0x1p-62);

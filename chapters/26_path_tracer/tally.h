@@ -11,9 +11,9 @@
  *   tally_join(&t, &other);     exact: any split, any order, the same bits
  *   double s = tally_sum(&t);   the nearest double, nearly (two roundings)
  *
- * x in (-2^60, 2^60) [about 1e18]; beyond, it is cut to that. NaN: false, and nothing is added.
- * 2^5 samples of 2^60 overflow: 32 times 1e18. What rounding takes from a mean is below 2^-62,
- * 2e-19.
+ * x in (-2^44, 2^44) [about 2e13]; beyond, it is cut to that. NaN: false, and nothing is added.
+ * 2^20 samples of 2^44, the most that --samples takes, are a sum of 2^64; 2^21 overflow. What
+ * rounding takes from a mean is below 2^-62, 2e-19.
  */
 #ifndef PATH_TALLY_H
 #define PATH_TALLY_H
@@ -37,7 +37,7 @@ static inline void tally_join(tally *to, const tally *t)
  * cast to an integer cuts off is the rounding. */
 static inline bool tally_add(tally *to, double x)
 {
-    const double most = 0x1p60;
+    const double most = 0x1p44;
     if (isnan(x)) return false;
     double size = fabs(x) > most ? most : fabs(x), high = floor(size * 0.25);
     tally t = {(uint64_t)((size - 4 * high) * 0x1p62), (int64_t)high};
@@ -48,9 +48,9 @@ static inline bool tally_add(tally *to, double x)
 
 static inline double tally_sum(const tally *t)
 {
-    tally x = *t;
-    if (t->high < 0) x = (tally){~x.low + 1, ~x.high + (x.low == 0)};  /* |t|: high and low agree */
-    double size = (double)x.high * 4 + (double)x.low * 0x1p-62;
+    uint64_t low = t->low, high = (uint64_t)t->high;
+    if (t->high < 0) low = ~low + 1, high = ~high + (low == 0);  /* |t|: high and low agree */
+    double size = (double)high * 4 + (double)low * 0x1p-62;
     return t->high < 0 ? -size : size;
 }
 
