@@ -99,7 +99,7 @@ MAKEFLAGS += -j$(JOBS)
 endif
 
 .PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
-# The last ones take longest to compile: first, else one core waits for them at the end.
+# First the three that take longest to compile, else one core waits for them at the end.
 all: $(addprefix $(BUILD)/,$(filter 27_% 17_% 26_%,$(CHAPTERS)) $(CHAPTERS))
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)

@@ -132,8 +132,7 @@ static inline void implicit_draw_row(const options *o, const implicit_view *v,
                                      const char *const *title, int n, const char *name)
 {
     enum { gap = 6 };
-    const int width = o->quick ? 96 : 960, height = o->quick ? 32 : 316;
-    image sheet = {0}, one = image_new((width + gap) / n - gap, height);
+    image sheet = {0}, one = image_new((960 + gap) / n - gap, o->quick ? 60 : 316);
     bool whole = true;
     for (int k = 0; k < n && whole; k++) {
         whole = implicit_render(v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);

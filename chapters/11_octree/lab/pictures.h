@@ -147,7 +147,7 @@ static inline void draw_faults(const options *o)
     static const char *const title[4] = {
         "large triangles, textbook: orange is wrong", "octree_hit",
         "the teapot, rays along y, textbook", "octree_hit"};
-    image all = o->quick ? image_new(258, 172) : image_new(774, 518);
+    image all = image_new(774, 518);
     trial_scene s[2];
     trial_panel panel[4];
     camera_frame frame;
