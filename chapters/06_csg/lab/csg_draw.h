@@ -44,7 +44,7 @@ static inline vec3 csg_floor_colour(const csg_stage *s, ray r, vec3 lamp)
     real t = (s->floor - r.o.y) / r.d.y;
     if (!(t > 0 && isfinite(t))) return sky;
     vec3 p = ray_at(r, t);
-    bool odd = ((long)floor(p.x) + (long)floor(p.z)) & 1;
+    bool odd = fmod(floor(p.x) + floor(p.z), 2) != 0;  /* far away they fit no whole number of C */
     vec3 paint = odd ? vec(0.50, 0.52, 0.56) : vec(0.64, 0.66, 0.70);
     real light = (real)0.35 + (real)0.75 * csg_lit(&s->scene->c, p, vec(0, 1, 0), lamp);
     real haze = exp(-real_max(hypot(p.x, p.z) - 3, 0) / 6);
