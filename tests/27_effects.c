@@ -2,7 +2,7 @@
  * pictures that are stopped and gone on with. (The state itself and the error: 26_state.c.) */
 static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
-#include "../chapters/26_path_tracer/long_run.h"
+#include "../chapters/26_path_tracer/files/long_run.h"
 #include "../chapters/27_effects/lab/six.h"
 #include <sys/resource.h>
 

@@ -8,7 +8,7 @@
 #define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
-#include "../long_run.h"
+#include "../files/long_run.h"
 #include "showcase.h"
 
 enum { command_most_parts = 4096 };

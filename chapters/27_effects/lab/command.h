@@ -10,7 +10,7 @@
 #define EFFECTS_COMMAND_H
 
 #include "../../../common/numbers/estimate.h"
-#include "../../26_path_tracer/long_run.h"
+#include "../../26_path_tracer/files/long_run.h"
 #include "price.h"
 #include "six.h"
 #include "tax.h"

@@ -15,8 +15,8 @@
 #ifndef PATH_LONG_RUN_H
 #define PATH_LONG_RUN_H
 
-#include "../../common/output.h"
-#include "passes.h"
+#include "../../../common/output.h"
+#include "../passes.h"
 #include "state.h"
 
 typedef struct {
