@@ -13,7 +13,7 @@
 #define EFFECTS_SOLIDS_H
 
 #include "../06_csg/csg.h"
-#include "../06_csg/expression.h"
+#include "../06_csg/files/expression.h"
 #include "../18_shade/surface.h"
 
 typedef struct { uint32_t file, line; } cite;  /* file 0: nobody said it; line 0: the whole file */

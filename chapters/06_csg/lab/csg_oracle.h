@@ -13,7 +13,7 @@
 #define CSG_ORACLE_H
 
 #include "../../../common/random.h"
-#include "../expression.h"
+#include "../files/expression.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -13,7 +13,7 @@
 #include "../../../common/options.h"
 #include "../../02_camera/first.h"
 #include "../csg.h"
-#include "../expression.h"
+#include "../files/expression.h"
 
 typedef struct { csg_expression e; csg c; } csg_scene;
 

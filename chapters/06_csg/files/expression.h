@@ -18,8 +18,8 @@
 #ifndef CSG_EXPRESSION_H
 #define CSG_EXPRESSION_H
 
-#include "../../common/numbers/decimal.h"
-#include "tree.h"
+#include "../../../common/numbers/decimal.h"
+#include "../tree.h"
 
 typedef struct {
     csg_solid *solid;
