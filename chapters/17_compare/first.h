@@ -1,6 +1,6 @@
 /* first.h: brute force and five structures behind one signature: the same mesh, the same rays.
  * Wrong where they are (see each): what they cost here is what the notes' own algorithms cost.
- * contenders.h compares the full versions. */
+ * lab/contenders.h compares the full versions. */
 #ifndef FIRST_COMPARE_H
 #define FIRST_COMPARE_H
 #include "../10_grid/first.h"

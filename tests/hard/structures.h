@@ -12,7 +12,7 @@
 #include "../../chapters/16_instances/first.h"
 #include "../../chapters/16_instances/instances.h"
 #include "../../chapters/16_instances/lab/flattened.h"
-#include "../../chapters/17_compare/contenders.h"
+#include "../../chapters/17_compare/lab/contenders.h"
 #include "../../chapters/09_aabb/trials/torture.h"
 #include "../aimed.h"
 #include "hard.h"

@@ -12,7 +12,7 @@
 #define COMPARE_LAB_PROOF_H
 
 #include "../../09_aabb/trials/aimed.h"
-#include "../contenders.h"
+#include "contenders.h"
 
 typedef struct {
     ray r;

@@ -2,7 +2,7 @@
 #ifndef COMPARE_BRUTE_H
 #define COMPARE_BRUTE_H
 
-#include "../09_aabb/items.h"
+#include "../../09_aabb/items.h"
 
 typedef struct { size_t most_bytes; } brute_options;
 typedef struct { items x; } brute;

@@ -23,19 +23,19 @@
  *   c->counted(s, r, any, &h, &w)                      is there a hit? What it took goes to w
  *   contender_free(c, s)
  *
- * how: members of its X_options that were set from outside (lab/knobs.h knows their names).
+ * how: members of its X_options that were set from outside (knobs.h knows their names).
  */
 #ifndef COMPARE_CONTENDERS_H
 #define COMPARE_CONTENDERS_H
 
-#include "../14_bvh/bvh.h"
-#include "../15_wide_bvh/bvh8.h"
-#include "../10_grid/nested.h"
-#include "../11_octree/octree.h"
-#include "../12_kdtree/kdtree.h"
-#include "../13_bsp/bsp.h"
+#include "../../14_bvh/bvh.h"
+#include "../../15_wide_bvh/bvh8.h"
+#include "../../10_grid/nested.h"
+#include "../../11_octree/octree.h"
+#include "../../12_kdtree/kdtree.h"
+#include "../../13_bsp/bsp.h"
 #include "brute.h"
-#include "example.h"
+#include "../example.h"
 #include "first_items.h"
 
 /* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */

@@ -10,9 +10,9 @@
 #ifndef COMPARE_FIRST_ITEMS_H
 #define COMPARE_FIRST_ITEMS_H
 
-#include "../07_mesh/scenes/as_first.h"
-#include "../09_aabb/items.h"
-#include "first.h"
+#include "../../07_mesh/scenes/as_first.h"
+#include "../../09_aabb/items.h"
+#include "../first.h"
 
 typedef struct { int which; size_t most_bytes; } first_items_options;
 #define first_items_how(which) ((first_items_options){first_use_##which, 0})
