@@ -19,7 +19,7 @@
 #define IMPLICIT_ORACLE_H
 
 #include "../../../common/numbers/wide.h"
-#include "../surfaces.h"
+#include "../scenes/surfaces.h"
 
 enum { implicit_degree = 6 };
 typedef struct { int n; wide c[implicit_degree + 1]; } implicit_poly;  /* c[0] + .. + c[n] x^n */

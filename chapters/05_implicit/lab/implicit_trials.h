@@ -21,7 +21,7 @@
 #include "../../../common/parallel.h"
 #include "../../../common/random.h"
 #include "../implicit.h"
-#include "../models.h"
+#include "../scenes/models.h"
 #include "implicit_oracle.h"
 
 typedef enum {

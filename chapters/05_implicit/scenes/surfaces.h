@@ -27,7 +27,7 @@
 #ifndef IMPLICIT_SURFACES_H
 #define IMPLICIT_SURFACES_H
 
-#include "surface.h"
+#include "../surface.h"
 
 typedef struct { real R, r; } implicit_ring;
 #define implicit_golden 1.61803398874989484820
