@@ -7,7 +7,7 @@
  */
 static char directory[] = "/tmp/27_proof_XXXXXX";
 #include "27_files.h"
-#include "../chapters/27_effects/draw.h"
+#include "../chapters/27_effects/lab/draw.h"
 #include "../chapters/27_effects/plan.h"
 #include "../common/lab/t_test.h"
 

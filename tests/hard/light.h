@@ -19,7 +19,7 @@
 #include "../../chapters/19_whitted/lab/first_world.h"
 #include "../../chapters/21_distributed/distributed.h"
 #include "../../chapters/27_effects/files/studio_read.h"
-#include "../../chapters/27_effects/draw.h"
+#include "../../chapters/27_effects/lab/draw.h"
 #include "../../chapters/27_effects/first.h"
 #include "../../chapters/27_effects/plan.h"
 #include "../21_known.h"

@@ -15,7 +15,7 @@
 #include "../../../common/lab/figure.h"
 #include "../../../common/lab/report.h"
 #include "../plan.h"
-#include "../draw.h"
+#include "draw.h"
 
 enum { price_most_rounds = 5 };
 typedef struct {

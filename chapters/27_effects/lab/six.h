@@ -16,7 +16,7 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "../plan.h"
-#include "../draw.h"
+#include "draw.h"
 #include <unistd.h>
 
 enum { six_count = 6, six_room = 2048, six_width = 240, six_height = 180 };

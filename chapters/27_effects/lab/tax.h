@@ -16,7 +16,7 @@
 #include "../files/studio_read.h"
 #include "../plan.h"
 #include "classic.h"
-#include "../draw.h"
+#include "draw.h"
 
 /* ---- the scenes ---- */
 

@@ -12,8 +12,8 @@
 #ifndef EFFECTS_DRAW_H
 #define EFFECTS_DRAW_H
 
-#include "../26_path_tracer/passes.h"
-#include "special.h"
+#include "../../26_path_tracer/passes.h"
+#include "../special.h"
 
 typedef struct {
     const effects_stage *e;
