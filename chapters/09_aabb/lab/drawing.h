@@ -76,7 +76,7 @@ static inline void slabs_panel(figure *g, int k, ray r, const real t[2])
     slabs_dot(g, r, 0, FIGURE_BLACK, -4, 22, "*o*");
     slabs_dot(g, r, t[0], slabs_colour[k], k == 2 ? -88 : -54, k == 2 ? 2 : -12, mark[k][0]);
     slabs_dot(g, r, t[1], slabs_colour[k], 2, 22, mark[k][1]);
-    figure_text(g, tip_x, tip_y, 4, -10, FIGURE_RIGHT, FIGURE_BLACK, "*o* + _t_ *d*");
+    figure_text(g, tip_x, tip_y, -4, -10, FIGURE_RIGHT, FIGURE_BLACK, "*o* + _t_ *d*");
 }
 
 /* The intervals of the three axes, and their overlap, with t = 0 at the origin of g. */
