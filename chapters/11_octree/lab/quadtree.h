@@ -35,24 +35,25 @@ static inline mesh quadtree_mesh(void)
     return m;
 }
 
-/* The leaves of the lowest layer; those on the trail with their place in it. */
+/* The leaves of the lowest layer; or, to lie upon the curves, the places of those on the trail. */
 static inline void quadtree_cells(figure *g, const octree *t, uint32_t node, octree_cell c,
-                                  const octree_trail *trail)
+                                  const octree_trail *trail, bool places)
 {
     octree_node n = t->node[node];
     int place = 0;
     if (n.kind && !(n.kind & octree_is_leaf)) {
         for (unsigned k = 0; k < 4; k++)
-            quadtree_cells(g, t, n.first + k, octree_child_cell(c, k), trail);
+            quadtree_cells(g, t, n.first + k, octree_child_cell(c, k), trail, places);
         return;
     }
     aabb b = octree_cell_box(t, c);
     double x = (double)b.lo.x, y = (double)b.lo.y, X = (double)b.hi.x, Y = (double)b.hi.y;
     for (int i = 0; i < trail->n; i++)
         if (trail->node[i] == node) place = i + 1;
+    if (places && place) figure_print(g, x, y, 2, -4, FIGURE_LEFT, FIGURE_BLACK, "*%d*", place);
+    if (places) return;
     figure_polygon(g, 4, (double[8]){x, y, X, y, X, Y, x, Y}, place ? FIGURE_ORANGE : FIGURE_BLUE,
                    place ? 0.4 : n.kind ? 0.14 : 0, FIGURE_GREY);
-    if (place) figure_print(g, x, y, 2, -4, FIGURE_LEFT, FIGURE_BLACK, "%d", place);
 }
 
 static inline void quadtree_line(figure *g, vec3 a, vec3 b, const char *colour, double width)
@@ -85,10 +86,11 @@ static inline void draw_quadtree(const options *o)
     }
     double unit = quadtree_side / (double)t.size;
     figure_origin(&g, 10 - unit * (double)t.lo.x, 40 + quadtree_side + unit * (double)t.lo.y, unit);
-    quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail);
+    quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, false);
     for (size_t i = 0; i < m.triangles; i++)
         quadtree_line(&g, m.v[3 * i], m.v[3 * i + 1], FIGURE_BLUE, 2.5);
     quadtree_line(&g, r.o, ray_at(r, h.t), FIGURE_RED, 2);
+    quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, true);
     figure_dot(&g, (double)r.o.x, (double)r.o.y, 4, FIGURE_RED);
     figure_text(&g, (double)r.o.x, (double)r.o.y, 8, -4, FIGURE_LEFT, FIGURE_RED, "*o*");
     figure_end(&g);
