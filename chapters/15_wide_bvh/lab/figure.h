@@ -35,11 +35,9 @@ static inline void lanes_box(figure *g, const bvh8 *w, const bvh8_node *n, int k
     vec3 hi = bvh8_back(w, n->side[3][k], n->side[4][k], 0);
     double xy[8] = {(double)lo.x, (double)lo.y, (double)hi.x, (double)lo.y,
                     (double)hi.x, (double)hi.y, (double)lo.x, (double)hi.y};
-    char name[8];
     figure_polygon(g, 4, xy, met ? FIGURE_ORANGE : NULL, 0.18, met ? FIGURE_RED : FIGURE_GREY);
-    snprintf(name, sizeof name, "%d", k);
-    figure_text(g, (double)lo.x, (double)hi.y, 0, -5, FIGURE_LEFT, met ? FIGURE_RED : FIGURE_GREY,
-                name);
+    figure_dot(g, xy[6], xy[7], 8, "#ffffff");  /* no edge goes through the number */
+    figure_print(g, xy[6], xy[7], 0, 5, FIGURE_MIDDLE, met ? FIGURE_RED : FIGURE_GREY, "%d", k);
 }
 
 static inline void lanes_cells(figure *g, int row, const char *name, const eight *values,
