@@ -55,7 +55,7 @@ typedef struct {
     size_t bytes, peak;   /* held now; the most while it was built */
 } bvh8;
 
-/* Items that the caller knows this ray can't hit: the one it starts on (18.7), and first to last,
+/* Items that the caller knows this ray can't hit: the one it starts on (18.10), and first to last,
  * the lamp at its end. Float would be in doubt about such triangles, and ask each in `real`. */
 typedef struct { uint32_t from, first, last; } bvh8_skip;
 #define bvh8_skip_none ((bvh8_skip){no_shape, no_shape, no_shape})

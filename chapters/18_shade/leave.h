@@ -4,7 +4,7 @@
  *             /                  before or behind it: behind, and the surface shadows itself (acne,
  *       O ---'     n.w > 0       自遮挡); started too far away, and what touches the surface casts
  *       |  error + noise         no shadow (leak, 漏光).
- *   ----p--------------          O = p + sign(n.w) (error + noise) n          (18.7)
+ *   ----p--------------          O = p + sign(n.w) (error + noise) n          (18.10)
  *                                [tmin, tmax] = [0, ..]: no epsilon in t
  *
  *   ray r = leave(s, w);             from s along w (not zero, any length), to infinity
@@ -28,7 +28,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* p moved to the side of w, far enough (18.7), and by `more` [scene units]. */
+/* p moved to the side of w, far enough (18.10), and by `more` [scene units]. */
 static inline vec3 leave_point(surface s, vec3 w, real more)
 {
     real off = s.error + s.noise + more;

@@ -278,7 +278,7 @@ static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place,
 }
 
 /* out->s.shape: triangle, or m.triangles + shape. A ray that leaves triangle `from` never meets it
- * again (18.7): the search need not ask. */
+ * again (18.10): the search need not ask. */
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
     hit h = hit_none, other;

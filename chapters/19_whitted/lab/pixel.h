@@ -33,7 +33,7 @@ static inline void pixel_hit(const ray_tree *x, const whitted_branch *b, const w
     explain_line(deep, "(1.2)", "it hits %s at t = %.6g, p = (%.6g, %.6g, %.6g)",
                  pixel_shape[p->s.shape], (double)x->node[b->number].t, (double)p->s.p.x,
                  (double)p->s.p.y, (double)p->s.p.z);
-    explain_line(deep, "(18.5), (18.7)",
+    explain_line(deep, "(18.5), (18.10)",
                  "p is off by at most %.2g; the next rays begin %.2g off it", (double)p->s.error,
                  (double)(p->s.error + p->s.noise + p->more));
     if (p->left.x < 1) explain_vector(deep, "(19.9)", "of its light the glass leaves", p->left);
