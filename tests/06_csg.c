@@ -31,6 +31,7 @@ static csg_solid random_solid(random_stream *s, bool gems)
     int kind = (int)(random_next(s) * (gems ? 6 : 5));
     vec3 c = random_in_cube(s, 1), d = random_direction_of(s), n[3] = {d};
     real r = (real)0.3 + (real)0.7 * random_next(s), lo[3], hi[3];
+    if (random_below(s, 4) == 0) d = vwith(vec(0, 0, 0), (int)random_below(s, 3), 1);
     if (kind == 0) return csg_half(vscale(d, 3 * r), vdot(c, d));
     if (kind == 1) return csg_box(vsub(c, vec(r, r / 2, r)), vadd(c, vec(r, r, r / 2)));
     if (kind == 2) return csg_cylinder(c, vscale(d, 2 * r), r / 2);
