@@ -411,33 +411,6 @@ static void test_terms_lit(void)
     }
 }
 
-/* A point light in the middle of a closed matte ball: term k is a^k I / (pi R^2), without noise. No
- * direction finds it: the naive path sees nothing. */
-static void test_terms_of_a_point(void)
-{
-    enum { depth = 4 };
-    lit_scene s;
-    bounce_counts c = {{{0}, 0, 0}, 0};
-    lit_begin(&s);
-    lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}),
-                  lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(0.5, 0.5, 0.5))}));
-    lit_add_light(&s, (light){LIGHT_POINT, {1, 2, 3}, {3, 3, 3}});
-    lit_end(&s);
-    naive_path p = {&s, DIRECTIONS_BRDF, depth, false};
-    for (uint32_t i = 0; i < 20; i++) {
-        vec3 a[depth + 1], b[depth + 1];
-        sampler r = second_pair(9, i), q = r;
-        ray eye = ray_from(vec(1, 2, 3.5), (vec3){1, 2, 3});
-        bounce_terms(&p, eye, &r, a, &c), bounce_terms_lit(&p, eye, &q, b, &c);
-        for (int k = 0; k <= depth; k++) {
-            double L = k ? pow(0.5, k) * 3 / (4 * (double)pi) : 0;
-            check(vzero(a[k]), "term %d: no direction finds a point", k);
-            check_close((double)b[k].x, L, 64 * (double)real_epsilon * L, "term %d", k);
-        }
-    }
-    lit_free(&s);
-}
-
 /* ---- shade() as printed: fails where it must ---- */
 
 static void test_notes(void)
@@ -628,7 +601,6 @@ int main(void)
     test_furnace_exact(), test_endless(), test_furnace_uniform();
     test_pair(), test_radiosity(), test_edges();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
-    test_terms_of_a_point();
     test_notes(), test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
     return check_report("25_bounces");
 }

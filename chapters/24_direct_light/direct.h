@@ -30,7 +30,7 @@
  * 1: which, 2: its point; if all, 1 ...: a point of each. What nobody asks for is not computed.
  *
  * A mirror has f = 0 but for one direction: only BRDF, and both with it, find that.
- * A background of the scene is seen by directions only, light without size by lights only.
+ * A background of the scene is seen by directions only.
  */
 #ifndef DIRECT_H
 #define DIRECT_H
@@ -90,9 +90,8 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
         return none;
     if (vzero(f)) return none;
     real w = 1;
-    if (direct_both(d->way) && y.pdf < real_infinity)
-        w = direct_weight(d->way, y.pdf, brdf_pdf_local(b, wi, x->wo));
-    return vscale(vmul(f, y.Le), w * wi.z / y.per);
+    if (direct_both(d->way)) w = direct_weight(d->way, y.pdf, brdf_pdf_local(b, wi, x->wo));
+    return vscale(vmul(f, y.Le), w * wi.z / y.pdf);
 }
 
 /* (24.2): what is seen along a direction. When both ways are used, the light's own way would have

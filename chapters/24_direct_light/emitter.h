@@ -9,7 +9,6 @@
  *   emitter e = emitter_of_triangle(t, Le);     shines where (b - a) x (c - a) points
  *   emitter e = emitter_of_rectangle(r, Le);    where s x t points
  *   emitter e = emitter_of_sphere(s, Le);       outwards; inwards if s.r < 0
- *   emitter e = emitter_of_light(L);            without size (18): only lights.h draws it
  *       Le: radiance of the front [W/(m^2 sr)]; the back is dark. All that does not depend on p is
  *       computed here, once.
  *
@@ -38,17 +37,16 @@
 #ifndef DIRECT_EMITTER_H
 #define DIRECT_EMITTER_H
 
-#include "../18_shade/light.h"
 #include "../18_shade/surface.h"
 #include "../20_monte_carlo/sampler.h"
 #include "../22_radiometry/spherical_sampling.h"
 
-typedef enum { EMITTER_TRIANGLE, EMITTER_RECTANGLE, EMITTER_SPHERE, EMITTER_LIGHT } emitter_kind;
+typedef enum { EMITTER_TRIANGLE, EMITTER_RECTANGLE, EMITTER_SPHERE } emitter_kind;
 typedef struct {
     emitter_kind kind;
-    union { triangle triangle; rectangle rectangle; sphere sphere; light light; };
+    union { triangle triangle; rectangle rectangle; sphere sphere; };
     vec3 n;               /* unit normal of the front; sphere: 0 */
-    real area;            /* > 0, or it does not shine; of a light: what makes its power right */
+    real area;            /* > 0, or it does not shine */
     vec3 Le;
     real reach, noise;    /* x.s.error = epsilon (reach + 2 |x|), x.s.noise */
 } emitter;
@@ -87,14 +85,6 @@ static inline emitter emitter_of_sphere(sphere s, vec3 Le)
 {
     return (emitter){.kind = EMITTER_SPHERE, .sphere = s, .area = 4 * pi * s.r * s.r, .Le = Le,
                      .reach = 4 * fabs(s.r)};
-}
-
-/* All round a point go 4 pi I, as from an area of 4. The sun's light falls on all of the scene:
- * lit_end says what that is. */
-static inline emitter emitter_of_light(light L)
-{
-    return (emitter){.kind = EMITTER_LIGHT, .light = L, .Le = L.colour,
-                     .area = L.kind == LIGHT_POINT ? 4 : 1};
 }
 
 static inline real emitter_power(const emitter *e)

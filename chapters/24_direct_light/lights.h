@@ -23,8 +23,9 @@
  *
  *   pdf(wi) = P(k) pdf of the point seen from p                                            [1/sr]
  *
- * Light without size (18) comes along one direction: pdf is infinite, so that w = 1 (24.9): nothing
- * else finds it. Le is its irradiance across wi, and x.per = P(k). Of all others per = pdf.
+ * Light without size (18), which no list holds, comes along one direction: pdf is infinite, so that
+ * w = 1 (24.9): nothing else finds it. Le is its irradiance across wi, and x.per = `chance`. Of all
+ * others per = pdf.
  *
  * The sky gets one half if there are emitters, too: how much it brings depends on the place. One
  * light: nothing is chosen, no random digits are used up. Otherwise u.u chooses, and what is left
@@ -35,6 +36,7 @@
 #define DIRECT_LIGHTS_H
 
 #include "../18_shade/leave.h"
+#include "../18_shade/light.h"
 #include "../20_monte_carlo/sampling.h"
 #include "environment.h"
 #include "lit_scene.h"
@@ -137,7 +139,6 @@ static inline bool lit_draw_of(const emitter *e, lit_points points, real chance,
                                lit_draw *out)
 {
     emitter_point x;
-    if (e->kind == EMITTER_LIGHT) return lit_draw_light(&e->light, chance, p, out);
     bool seen = lit_points_angle(points, e) ? emitter_by_angle(e, p, u, &x)
                                             : emitter_by_area(e, p, u, &x);
     return seen && lit_drawn(e, &x, chance, out);

@@ -5,7 +5,6 @@
  *   uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){.5, .5, .5})});
  *   lit_add_rectangle(&s, (rectangle){o, s, t}, lamp);     front: s x t; if it shines, one emitter
  *   lit_add_triangle(&s, t, grey), lit_add_mesh(&s, &m, grey), lit_add_shape(&s, shape, grey);
- *   lit_add_light(&s, light);                              of 18: a point, the sun
  *   lit_end(&s);                                           trees and tables; then use it
  *   lit_free(&s);                                          a zeroed one may be freed
  *
@@ -21,10 +20,10 @@
  * products and a sum a coordinate: the same bits as surface_of_mesh.
  *
  * Everything added is copied, but for the corners of polygons, which must outlive the scene.
- * Emitters: one per shining triangle, rectangle, sphere of area > 0, and light without size: in the
- * order of adding, then the spheres. What has no size no ray meets.
- * Nothing else can shine; Le of a cone or polygon is ignored. At equal t a triangle wins against a
- * shape, else the lower index. At most 65535 materials; no memory, or more: the program ends.
+ * Emitters: one per shining triangle, rectangle, sphere of area > 0: in the order of adding, then
+ * the spheres. Nothing else can shine; Le of a cone or polygon is ignored. At equal t a triangle
+ * wins against a shape, else the lower index. At most 65535 materials; no memory, or more: the
+ * program ends.
  */
 #ifndef DIRECT_LIT_SCENE_H
 #define DIRECT_LIT_SCENE_H
@@ -106,8 +105,6 @@ static inline void lit_room(lit_scene *s, size_t points, size_t n)
     s->m.v = grown_by(s->m.v, s->m.vertices, points, &s->room.v, sizeof *s->m.v);
     s->part = grown_by(s->part, s->m.triangles, n, &s->room.parts, sizeof *s->part);
 }
-
-static inline void lit_add_light(lit_scene *s, light l) { lit_emitter(s, emitter_of_light(l)); }
 
 /* One triangle of corners that are in m.v already, without normals of its own. */
 static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t look,
@@ -201,19 +198,6 @@ static inline void lit_split(lit_scene *s)
     s->part = NULL;
 }
 
-/* The sun shines on a disc round all: R, half of the diagonal of its box; pi R^2 E0 of power. */
-static inline void lit_sun(const lit_scene *s, emitter *sun)
-{
-    vec3 lo = {0, 0, 0}, hi = lo, a, b;
-    bool any = mesh_bounds(&s->m, &lo, &hi);
-    for (size_t i = 0; i < s->shapes; i++, any = true) {
-        shape_bounds(s->shape[i], &a, &b);
-        lo = any ? vmin(lo, a) : a, hi = any ? vmax(hi, b) : b;
-    }
-    vec3 d = vsub(hi, lo);
-    if (vfinite(d) && !vzero(d)) sun->area = vdot(d, d) / 4;
-}
-
 static inline void lit_end(lit_scene *s)
 {
     failure f;
@@ -223,10 +207,6 @@ static inline void lit_end(lit_scene *s)
         vec3 Le = s->material[s->of_shape[i]].Le;
         uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
         s->emitter_of[s->m.triangles + i] = e;
-    }
-    for (size_t e = 0; e < s->emitters; e++) {
-        emitter *x = &s->emitter[e];
-        if (x->kind == EMITTER_LIGHT && x->light.kind == LIGHT_DIRECTIONAL) lit_sun(s, x);
     }
     s->skip = allocate(s->emitters, sizeof *s->skip);
     for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;

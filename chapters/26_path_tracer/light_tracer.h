@@ -80,14 +80,13 @@ typedef struct {
     const lit_material *medium;  /* glass that r is in, or NULL */
 } light_walk;
 
-/* From a lamp, which the eye may see itself; false: there is none with a size. */
+/* From a lamp, which the eye may see itself; false: there is none. */
 static inline bool light_begin(const light_tracer *t, random_stream *s, light_walk *w,
                                light_sum *to)
 {
     if (!lit_lights_some(&t->light)) return false;
     real chance, rest, which = random_next(s);
     const emitter *e = &t->scene->emitter[lit_lights_choose(&t->light, which, &chance, &rest)];
-    if (e->kind == EMITTER_LIGHT) return false;
     real u = random_next(s), v = random_next(s);
     vec3 n, x = emitter_at(e, (point2){u, v}, &n);
     surface from = emitter_surface(e, x, n);
