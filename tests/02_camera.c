@@ -2,7 +2,7 @@
 #include "check.h"
 #include "../common/headlight.h"
 #include "02_oracle.h"
-#include "../chapters/02_camera/rtr_camera.h"
+#include "../chapters/02_camera/lab/rtr_camera.h"
 #include "../common/random.h"
 
 enum { nx = 640, ny = 480 };

@@ -10,7 +10,7 @@
 #ifndef CAMERA_LAB_PICTURES_H
 #define CAMERA_LAB_PICTURES_H
 
-#include "../rtr_camera.h"
+#include "rtr_camera.h"
 #include "draw.h"
 #include "measure.h"
 

@@ -23,7 +23,7 @@
 #ifndef AABB_SLABS_H
 #define AABB_SLABS_H
 
-#include "../lanes.h"
+#include "lanes.h"
 #include "mine.h"
 
 typedef bool aabb_test(aabb b, ray r, real *t_enter);

@@ -11,7 +11,7 @@
 #include "../../../common/lab/figure.h"
 #include "../../../common/lab/panels.h"
 #include "../../07_mesh/scenes/specimens.h"
-#include "../terminator.h"
+#include "terminator.h"
 #include "gallery.h"
 #include "leave_variants.h"
 

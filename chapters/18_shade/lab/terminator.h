@@ -21,7 +21,7 @@
 #ifndef SHADE_TERMINATOR_H
 #define SHADE_TERMINATOR_H
 
-#include "shade.h"
+#include "../shade.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

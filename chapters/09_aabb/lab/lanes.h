@@ -25,8 +25,8 @@
 #ifndef AABB_LANES_H
 #define AABB_LANES_H
 
-#include "../../common/numbers/float_round.h"
-#include "aabb.h"
+#include "../../../common/numbers/float_round.h"
+#include "../aabb.h"
 
 typedef struct { float side[6][4]; } aabb4;
 typedef struct { float side[6][8]; } aabb8;

@@ -26,7 +26,7 @@
 #ifndef RTR_CAMERA_H
 #define RTR_CAMERA_H
 
-#include "camera.h"
+#include "../camera.h"
 
 typedef struct {
     vec3 c;        /* position */
