@@ -210,7 +210,7 @@ static void test_invariants(const char *name, const mesh *m)
                   "%s, %s: built twice, the same bytes", name, bvh_rules[s].name);
             /* An item 28, a record 80, two nodes 64, and 64 for growing; references 8 times 28. */
             size_t most = x.cut ? 224 * m->triangles + 272 * b.tree.items : 172 * m->triangles;
-            check_at_most(b.tree.peak, most + 4096, "%s, %s, %d: peak memory", name,
+            check_at_most(b.tree.held.peak, most + 4096, "%s, %s, %d: peak memory", name,
                           bvh_rules[s].name, leaves[l]);
             free(x.seen), free(x.node_seen);
             bvh_mesh_free(&b), bvh_mesh_free(&again);
@@ -265,7 +265,7 @@ static void print_growth(void *context)
     getrusage(RUSAGE_SELF, &before);
     bool built = bvh_mesh_build(k->m, by_rule(k->rule, 8, 0.3), &b, NULL);
     getrusage(RUSAGE_SELF, &after);
-    printf("%ld %zu", built ? after.ru_maxrss - before.ru_maxrss : -1, b.tree.peak);
+    printf("%ld %zu", built ? after.ru_maxrss - before.ru_maxrss : -1, b.tree.held.peak);
     bvh_mesh_free(&b);
 }
 
@@ -316,13 +316,13 @@ static void test_memory(void)
     for (int k = 0; k < bvh_rule_count; k++) {  /* each limit: built within it, or refused */
         bvh_options how = by_rule(k, 2, 0.3);
         check(bvh_mesh_build(&m, how, &b, NULL), "built");
-        size_t peak = b.tree.peak, over = 0, wrong = 0;
+        size_t peak = b.tree.held.peak, over = 0, wrong = 0;
         bvh_mesh_free(&b);
         for (how.most_bytes = 1; how.most_bytes < 2 * peak; how.most_bytes += peak / 41) {
             bool built = bvh_mesh_build(&m, how, &no, &f);
             wrong += !built && (how.most_bytes >= peak || f.exit_code != 1 || no.tree.node
                                 || no.triangle || no.tree.items);
-            over += built && no.tree.peak > how.most_bytes;
+            over += built && no.tree.held.peak > how.most_bytes;
             bvh_mesh_free(&no);
         }
         check_equal(over + wrong, 0, "%s: most_bytes is kept (%zu over), or refused cleanly (%zu)",

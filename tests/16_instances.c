@@ -882,9 +882,9 @@ static void test_invariants(void)
         + 16 * (double)s.mesh[2].triangles;
     check_equal(instances_stats(&x).triangles, triangles, "triangles of all instances");
     check_equal(never_hit(&x), 1, "hidden");
-    size_t bytes = x.tree.bytes;
-    for (int k = 0; k < 3; k++) bytes += x.lower[k].tree.bytes;
-    check_at_most(x.tree.bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
+    size_t bytes = x.tree.held.bytes;
+    for (int k = 0; k < 3; k++) bytes += x.lower[k].tree.held.bytes;
+    check_at_most(x.tree.held.bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
                   "memory: a place, a number, and two nodes an instance");
     check_equal(bytes, x.bytes, "bytes add up");
     instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};

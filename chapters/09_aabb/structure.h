@@ -15,6 +15,7 @@
  *                                       any: h is not touched; w: NULL if nobody counts. Where it
  *                                       is always_inline, each of the four is a search of its own
  *   double structure_room(n)            where cuts part nothing: see there
+ *   memory_room(&m, &p, used, n, &room, size), memory_fit(..)   for arrays of those who build
  *
  * x: what it holds; items.h.
  *
@@ -37,6 +38,7 @@
 #ifndef STRUCTURE_H
 #define STRUCTURE_H
 
+#include "../../common/file.h"
 #include "../04_triangle/triangle.h"
 #include "aabb.h"
 
@@ -58,6 +60,9 @@ typedef struct {
     size_t bytes, peak;           /* held now; the most held while it was built */
 } structure_stats;
 
+/* Bytes: allowed, held now, the most held so far. full: something did not fit. */
+typedef struct { size_t most, bytes, peak; bool full; } memory;
+
 /* ---------------------------------------------------------------------------------------------- */
 
 /* How often n items may be named in all leaves. Items that lie on top of each other (10^5 copies
@@ -71,6 +76,46 @@ static inline double structure_room(size_t n) { return 64 * (double)n + 0x1p22; 
 static inline bool structure_is_full(size_t n, size_t named, double wanted, double room)
 {
     return wanted > room && 2 * (double)named > structure_room(n);
+}
+
+/* Counts n things of `size` bytes; false: no room for them. */
+static inline bool memory_takes(memory *m, size_t n, size_t size)
+{
+    size_t most = m->most < SIZE_MAX / 2 ? m->most : SIZE_MAX / 2;
+    m->full |= n > (most - m->bytes) / size;
+    if (m->full) return false;
+    m->bytes += n * size;
+    if (m->bytes > m->peak) m->peak = m->bytes;
+    return true;
+}
+
+static inline void memory_gives(memory *m, size_t n, size_t size) { m->bytes -= n * size; }
+
+/* p: of an array with room for *room things of `size` bytes. It moves to one for n, at a line of
+ * the cache; the first `used` of them stay; for a moment both are held. False: nothing changes. */
+static inline bool memory_fit(memory *m, void *p, size_t used, size_t n, size_t *room, size_t size)
+{
+    void **at = p, *old = *at;
+    if (!memory_takes(m, n, size)) return false;
+    void *now = aligned_alloc(64, (n * size / 64 + 1) * 64);
+    m->full |= !now;
+    if (now && used) memcpy(now, old, used * size);
+    memory_gives(m, now ? *room : n, size);
+    if (now) free(old), *at = now, *room = n;
+    return now;
+}
+
+/* Room for n at least; if there is more to be had, half as much again as there was. */
+static inline bool memory_room(memory *m, void *p, size_t used, size_t n, size_t *room,
+                               size_t size)
+{
+    size_t more = *room + *room / 2;
+    return n <= *room || memory_fit(m, p, used, n > more ? n : more, room, size);
+}
+
+static inline void memory_drop(memory *m, void *p, size_t room, size_t size)
+{
+    free(p), memory_gives(m, room, size);
 }
 
 /* A NaN, an infinite origin or no direction: such a ray hits nothing, and no search begins. */

@@ -57,7 +57,7 @@ typedef struct {
     vec3 lo;               /* the cube */
     real size;
     int depth;             /* of the deepest leaf */
-    size_t bytes, peak;
+    memory held;
 } octree;
 
 static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f);
@@ -93,39 +93,17 @@ static inline aabb octree_widened(aabb b, real margin)
 /* What is being cut: lists of items, one above the other, from the root's to the present cell's. */
 typedef struct {
     octree *t;
-    failure *f;
     uint32_t *list;   /* items */
     uint8_t *within;  /* of the same places: the children that the item is in */
     size_t room, node_room, reference_room;
     real margin;
 } octree_builder;
 
-/* Room for n of `size` bytes in *array, which has *room: twice as much as before, if that is
- * allowed. */
-static inline bool octree_grow(octree_builder *b, void **array, size_t *room, size_t n, size_t size)
-{
-    octree *t = b->t;
-    if (n <= *room) return true;
-    size_t more = n + n / 2 + 64;
-    if (more > UINT32_MAX / 2 || t->bytes + more * size > t->how.most_bytes)
-        return failed(b->f, 2, "octree of %zu items, leaves of %d, depth %d: more than %zu bytes",
-                      t->items, t->how.leaf, t->how.depth, t->how.most_bytes);
-    void *p = aligned_alloc(64, (more * size + 63) / 64 * 64);
-    if (!p) return failed(b->f, 1, "no memory for %zu bytes", more * size);
-    if (*array) memcpy(p, *array, *room * size);
-    free(*array);
-    t->bytes += more * size;
-    if (t->bytes > t->peak) t->peak = t->bytes;
-    t->bytes -= *room * size;
-    *array = p, *room = more;
-    return true;
-}
-
 static inline bool octree_list_room(octree_builder *b, size_t n)
 {
-    size_t room = b->room;
-    return octree_grow(b, (void **)&b->within, &room, n, 1)
-           && octree_grow(b, (void **)&b->list, &b->room, n, sizeof *b->list);
+    size_t room = b->room, used = room;
+    return memory_room(&b->t->held, &b->within, used, n, &room, 1)
+           && memory_room(&b->t->held, &b->list, used, n, &b->room, sizeof *b->list);
 }
 
 /* The children that item i, which is in their parent, is in: bit c for child c. By its box, and, if
@@ -150,8 +128,9 @@ static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin
                                     int depth)
 {
     octree *t = b->t;
-    if (!octree_grow(b, (void **)&t->reference, &b->reference_room, t->references + n,
-                     sizeof *t->reference)) return false;
+    if (t->references + n >= octree_is_leaf
+        || !memory_room(&t->held, &t->reference, t->references, t->references + n,
+                        &b->reference_room, sizeof *t->reference)) return false;
     memcpy(t->reference + t->references, b->list + begin, n * sizeof *t->reference);
     t->node[node] = (octree_node){(uint32_t)t->references, octree_is_leaf | (uint32_t)n};
     t->references += n;
@@ -185,7 +164,9 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
         return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */
-    if (!octree_grow(b, (void **)&t->node, &b->node_room, first + 8, sizeof *t->node)) return false;
+    if (first + 8 >= octree_is_leaf
+        || !memory_room(&t->held, &t->node, first, first + 8, &b->node_room, sizeof *t->node))
+        return false;
     memset(t->node + first, 0, 8 * sizeof *t->node);
     t->nodes = first + 8;
     t->node[node] = (octree_node){(uint32_t)first, filled};
@@ -204,23 +185,10 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     return true;
 }
 
-/* What was too large is given back, if there is room for both for a moment. */
-static inline void octree_trim(octree *t, void **array, size_t room, size_t n, size_t size)
-{
-    if (t->bytes + n * size > t->how.most_bytes) return;
-    void *p = aligned_alloc(64, (n * size + 63) / 64 * 64);
-    if (!p) return;
-    if (t->bytes + n * size > t->peak) t->peak = t->bytes + n * size;
-    memcpy(p, *array, n * size);
-    free(*array);
-    *array = p;
-    t->bytes -= (room - n) * size;
-}
-
 static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f)
 {
-    octree t = {.x = *x, .how = how};
-    octree_builder b = {&t, f, NULL, NULL, 0, 0, 0, 0};
+    octree t = {.x = *x, .how = how, .held = {.most = how.most_bytes}};
+    octree_builder b = {.t = &t};
     t.how.depth = how.depth < 0 ? 0 : how.depth > octree_most_depth ? octree_most_depth : how.depth;
     *out = (octree){0};
     if (!items_all_bounds(x, &t.bounds, f)) return false;
@@ -231,8 +199,7 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
     vec3 high = vadd(t.lo, (vec3){t.size, t.size, t.size});
     b.margin = 2 * real_epsilon * aabb_reach((aabb){t.lo, high}) + real_smallest;
     bool ok = octree_list_room(&b, x->n + 1)
-              && octree_grow(&b, (void **)&t.node, &b.node_room, 8, sizeof *t.node)
-              && octree_grow(&b, (void **)&t.reference, &b.reference_room, 1, sizeof *t.reference);
+              && memory_room(&t.held, &t.node, 0, 8, &b.node_room, sizeof *t.node);
     if (ok) {
         memset(t.node, 0, 8 * sizeof *t.node);  /* 1 to 7 are not used: blocks begin at lines */
         t.nodes = 8;
@@ -244,14 +211,15 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
         ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.items, false,
                         structure_room(t.items));
     }
-    free(b.list), free(b.within);
-    t.bytes -= b.room * (sizeof *b.list + 1);
+    memory_drop(&t.held, b.list, b.room, sizeof *b.list), memory_drop(&t.held, b.within, b.room, 1);
+    ok = ok && memory_fit(&t.held, &t.node, t.nodes, t.nodes, &b.node_room, sizeof *t.node)
+         && memory_fit(&t.held, &t.reference, t.references, t.references, &b.reference_room,
+                       sizeof *t.reference);
     if (!ok) {
         octree_free(&t);
-        return false;
+        return failed(f, 1, "octree of %zu items, leaves of %d, depth %d: more than %zu bytes",
+                      x->n, how.leaf, t.how.depth, how.most_bytes);
     }
-    octree_trim(&t, (void **)&t.node, b.node_room, t.nodes, sizeof *t.node);
-    octree_trim(&t, (void **)&t.reference, b.reference_room, t.references, sizeof *t.reference);
     *out = t;
     return true;
 }
@@ -259,7 +227,7 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
 static inline structure_stats octree_stats(const octree *t)
 {
     structure_stats s = {.references = t->references, .items = t->items, .depth = t->depth,
-                         .bytes = t->bytes, .peak = t->peak};
+                         .bytes = t->held.bytes, .peak = t->held.peak};
     for (size_t i = 0; i < t->nodes; i += i == 0 ? 8 : 1) {
         uint32_t kind = t->node[i].kind;
         bool leaf = kind == 0 || kind & octree_is_leaf;

@@ -105,7 +105,7 @@ static inline bool kd_partition(kd_builder *b, size_t begin, size_t n, kd_choice
 {
     kdtree_planar planar = b->how.planar;
     size_t l = begin, r = begin + n;
-    if (!kd_room(b, &b->item, r, r + n, &b->item_room, sizeof *b->item)) return false;
+    if (!memory_room(&b->t->held, &b->item, r, r + n, &b->item_room, sizeof *b->item)) return false;
     for (size_t i = begin; i < begin + n; i++) {
         kd_item it = b->item[i], up = it;
         float lo = it.box.lo[c.axis], hi = it.box.hi[c.axis];
@@ -126,9 +126,9 @@ static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
 {
     kdtree *t = b->t;
     size_t first = t->references;
-    if (first + n > UINT32_MAX || n >= (size_t)1 << 30)
-        return failed(b->f, 2, "k-d tree: more than 2^32 references");
-    if (!kd_room(b, &b->index, first, first + n, &b->index_room, sizeof *b->index)) return false;
+    b->large |= first + n > UINT32_MAX || n >= (size_t)1 << 30;
+    if (b->large || !memory_room(&t->held, &b->index, first, first + n, &b->index_room,
+                                 sizeof *b->index)) return false;
     for (size_t i = 0; i < n; i++) b->index[first + i] = b->item[begin + i].index;
     t->node[at] = kd_leaf_node(first, n);
     t->references += n;
@@ -158,8 +158,9 @@ static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, con
     if (!kd_wants(b, begin, n, cell, depth, doubled, room, &c)) return kd_leaf(b, at, begin, n);
     if (!kd_partition(b, begin, n, c, &below, &above)) return false;
     if (below + above > n + n / 2) doubled++;
-    if (first + 2 > (size_t)1 << 29) return failed(b->f, 2, "k-d tree: more than 2^29 nodes");
-    if (!kd_room(b, &t->node, first, first + 2, &b->node_room, sizeof *t->node)) return false;
+    b->large |= first + 2 > (size_t)1 << 29;
+    if (b->large || !memory_room(&t->held, &t->node, first, first + 2, &b->node_room,
+                                 sizeof *t->node)) return false;
     t->nodes += 2;
     t->node[at] = kd_inner(c.plane, c.axis, first, below > 0, above > 0);
     kd_box lower = *cell, upper = *cell;
@@ -179,7 +180,7 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
     bool thick = b->how.planar == KD_THICK;
     size_t n = 0;
     if (all->lo.x <= all->hi.x) t->frame = kd_frame_of(*all);
-    if (!kd_room(b, &b->item, 0, t->x.n, &b->item_room, sizeof *b->item)) return false;
+    if (!memory_room(&t->held, &b->item, 0, t->x.n, &b->item_room, sizeof *b->item)) return false;
     t->box = kd_nothing;
     for (size_t i = 0; i < t->x.n; i++) {
         aabb box;
@@ -201,18 +202,15 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
 static inline bool kd_finish(kd_builder *b)
 {
     kdtree *t = b->t;
-    kd_node *node = NULL;
-    size_t room = 0, nodes = 0, n = t->references;
-    if (!kd_room(b, &node, 0, t->nodes, &nodes, sizeof *node)) return false;
-    memcpy(node, t->node, t->nodes * sizeof *node);
-    kd_give_back(b, &t->node, b->node_room, sizeof *node);
-    t->node = node, b->node_room = nodes;
+    size_t room = 0, n = t->references;
+    if (!memory_fit(&t->held, &t->node, t->nodes, t->nodes, &b->node_room, sizeof *t->node))
+        return false;
     if (t->x.s) {
-        if (!kd_room(b, &t->index, 0, n + 1, &room, sizeof *t->index)) return false;
+        if (!memory_fit(&t->held, &t->index, 0, n + 1, &room, sizeof *t->index)) return false;
         if (n) memcpy(t->index, b->index, n * sizeof *t->index);
         return true;
     }
-    if (!kd_room(b, &t->triangle, 0, n + 1, &room, sizeof *t->triangle)) return false;
+    if (!memory_fit(&t->held, &t->triangle, 0, n + 1, &room, sizeof *t->triangle)) return false;
     for (size_t i = 0; i < n; i++) {
         const uint32_t *c = t->x.m->index + 3 * (size_t)b->index[i];
         t->triangle[i] = (kd_triangle){{c[0], c[1], c[2]}, b->index[i]};
@@ -229,25 +227,26 @@ static inline int kd_default_depth(size_t n)
 static inline bool kd_grow(kd_builder *b, const aabb *all)
 {
     kdtree *t = b->t;
+    memory *m = &t->held;
     size_t r0 = 0, r1 = 0, r2 = 0;
     if (!kd_gather(b, all)) return false;
     size_t n = t->items;
     if (b->how.strategy != KD_SAH && b->how.leaf == 0) b->how.leaf = 4;
     if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
-    bool done = kd_room(b, &b->split.begin, 0, n + 1, &r0, sizeof(uint32_t))
-                && kd_room(b, &b->split.end, 0, n + 1, &r1, sizeof(uint32_t))
-                && kd_room(b, &b->split.spare, 0, n + 1, &r2, sizeof(uint32_t))
-                && kd_room(b, &t->node, 0, 2, &b->node_room, sizeof *t->node);
+    bool done = memory_fit(m, &b->split.begin, 0, n + 1, &r0, sizeof(uint32_t))
+                && memory_fit(m, &b->split.end, 0, n + 1, &r1, sizeof(uint32_t))
+                && memory_fit(m, &b->split.spare, 0, n + 1, &r2, sizeof(uint32_t))
+                && memory_fit(m, &t->node, 0, 2, &b->node_room, sizeof *t->node);
     if (done) {
         t->nodes = 2;
         t->node[0] = t->node[1] = kd_leaf_node(0, 0);
         done = kd_cell(b, 0, 0, n, &t->box, 0, 0, structure_room(n));
     }
-    kd_give_back(b, &b->item, b->item_room, sizeof *b->item);
-    kd_give_back(b, &b->split.begin, r0, 4), kd_give_back(b, &b->split.end, r1, 4);
-    kd_give_back(b, &b->split.spare, r2, 4);
+    memory_drop(m, b->item, b->item_room, sizeof *b->item);
+    memory_drop(m, b->split.begin, r0, 4), memory_drop(m, b->split.end, r1, 4);
+    memory_drop(m, b->split.spare, r2, 4);
     done = done && kd_finish(b);
-    kd_give_back(b, &b->index, b->index_room, 4);
+    memory_drop(m, b->index, b->index_room, 4);
     return done;
 }
 
@@ -257,13 +256,15 @@ static inline bool kdtree_build(const items *x, kdtree_options how, kdtree *out,
     aabb all;
     *out = (kdtree){.x = *x, .v = x->m ? x->m->v : NULL, .frame = {{0, 0, 0}, 1}};
     if (!items_all_bounds(x, &all, f)) return false;
-    kd_builder b = {.t = out, .how = how, .f = f};
+    kd_builder b = {.t = out, .how = how};
+    out->held.most = how.most_bytes;
     b.split = (kd_splitter){how.strategy, how.traversal_cost, how.item_cost, how.empty_bonus,
                             NULL, NULL, NULL};
     if (kd_grow(&b, &all)) return true;
-    free(b.item);
     kdtree_free(out);
-    return false;
+    return b.large ? failed(f, 2, "k-d tree: more than 2^29 nodes or 2^32 references")
+                   : failed(f, 1, "k-d tree of %zu items: needs more than the %zu bytes allowed",
+                            x->n, how.most_bytes);
 }
 
 #endif

@@ -62,7 +62,7 @@ STRUCTURE_VERBS(kdtree)
 static inline structure_stats kdtree_stats(const kdtree *t)
 {
     structure_stats s = {.references = t->references, .items = t->items, .depth = t->depth,
-                         .bytes = t->bytes, .peak = t->peak};
+                         .bytes = t->held.bytes, .peak = t->held.peak};
     for (size_t i = 0; i < t->nodes; i++) {
         if (i == 1) continue;
         if (!kd_is_leaf(t->node[i])) s.inner++;

@@ -62,8 +62,7 @@ static inline void cells_free(cell_store *s)
 
 static inline void cell_reserve(cell_store *s, size_t corners)
 {
-    while (s->corners + corners > s->corner_room)
-        s->corner = grown(s->corner, s->corner_room, &s->corner_room, sizeof *s->corner);
+    s->corner = grown_by(s->corner, s->corners, corners, &s->corner_room, sizeof *s->corner);
 }
 
 /* Area times normal of a flat polygon. */

@@ -51,8 +51,7 @@ static inline vec3 workshop_place(const workshop *w, vec3 p)
 
 static inline void workshop_reserve(workshop *w, size_t corners)
 {
-    while (w->corners + corners > w->corner_room)
-        w->corner = grown(w->corner, w->corner_room, &w->corner_room, sizeof *w->corner);
+    w->corner = grown_by(w->corner, w->corners, corners, &w->corner_room, sizeof *w->corner);
 }
 
 static inline fragment *workshop_push(workshop *w, fragment f)

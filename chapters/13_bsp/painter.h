@@ -78,8 +78,7 @@ static inline void painter_free(painter *p)
 
 static inline void painter_reserve(painter *p, size_t corners)
 {
-    while (p->corners + corners > p->corner_room)
-        p->corner = grown(p->corner, p->corner_room, &p->corner_room, sizeof *p->corner);
+    p->corner = grown_by(p->corner, p->corners, corners, &p->corner_room, sizeof *p->corner);
 }
 
 static inline void painter_push(painter_list *l, painter_piece x)

@@ -86,7 +86,7 @@ static inline bool bvh_mesh_take(const mesh *m, bvh_options how, bvh_input *in, 
         triangle t = mesh_triangle(m, in->item[i].index);
         out->triangle[i] = (bvh_triangle){{t.a, t.b, t.c}, in->item[i].index};
     }
-    tree_gives(&out->tree, in->room, sizeof *in->item);
+    memory_gives(&out->tree.held, in->room, sizeof *in->item);
     return true;
 }
 

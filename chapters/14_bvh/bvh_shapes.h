@@ -38,7 +38,7 @@ static inline bool bvh_shapes_take(const scene *s, bvh_options how, bvh_item *it
     out->index = tree_array(&out->tree, n, sizeof *out->index);
     if (!out->index) return failed(f, 1, "BVH: no memory for %zu shapes", n);
     for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
-    tree_gives(&out->tree, n, sizeof *item);
+    memory_gives(&out->tree.held, n, sizeof *item);
     return true;
 }
 

@@ -14,8 +14,8 @@
  * siblings at most: a stack of fixed size that no input overflows.
  *
  * Memory. 28 bytes an item while it is built, 64 for nodes: 2 n + 2 of them are the most there can
- * be. The sweep takes 20 more, Morton codes 16. What is not used is given back. t.peak is the most
- * held at any time.
+ * be. The sweep takes 20 more, Morton codes 16. What is not used is given back. t.held.peak is
+ * the most held at any time.
  */
 #ifndef BVH_TREE_H
 #define BVH_TREE_H
@@ -102,28 +102,29 @@ static inline void tree_by_cuts(const bvh_input *in, const bvh_rule *rule, bvh_o
                                 bvh_tree *t)
 {
     size_t n = in->n, sorted = rule->sorts ? n : 0, pair = sizeof(radix_pair);
+    memory *m = &t->held;
     splitter s = {.item_cost = how.item_cost};
     s.pairs = tree_array(t, sorted, pair), s.spare = tree_array(t, sorted, pair);
     s.areas = tree_array(t, sorted, sizeof *s.areas);
     tree_builder b = {t, rule, in->item, how, s};
-    if (!t->full && tree_begin(t, 2 * n + 2) && n) tree_node(&b, 0, 0, n, 0);
-    tree_drop(t, s.pairs, sorted, pair), tree_drop(t, s.spare, sorted, pair);
-    tree_drop(t, s.areas, sorted, sizeof *s.areas);
+    if (!m->full && tree_begin(t, 2 * n + 2) && n) tree_node(&b, 0, 0, n, 0);
+    memory_drop(m, s.pairs, sorted, pair), memory_drop(m, s.spare, sorted, pair);
+    memory_drop(m, s.areas, sorted, sizeof *s.areas);
 }
 
 /* Where items cannot be cut, a rule that cuts them becomes the heuristic. */
 static inline bool tree_build_input(const bvh_input *in, bvh_options how, bvh_tree *t, failure *f)
 {
     const bvh_rule *rule = bvh_rule_find(how.rule);
-    *t = (bvh_tree){.items = in->n, .most_bytes = how.most_bytes};
+    *t = (bvh_tree){.items = in->n, .held = {.most = how.most_bytes}};
     if (!rule) return failed(f, 2, "%s: no rule for cutting a BVH", how.rule);
     if (in->room >> 31) return failed(f, 2, "%zu items: fewer than 2^31 fit", in->room);
     if (rule->through && !in->clip) rule = bvh_rule_find("sah");
-    if (tree_takes(t, in->room, sizeof *in->item)) {
+    if (memory_takes(&t->held, in->room, sizeof *in->item)) {
         if (rule->build) rule->build(in, how, t);
         else tree_by_cuts(in, rule, how, t);
     }
-    if (t->full) {
+    if (t->held.full) {
         tree_free(t);
         return failed(f, 1, "no memory for a BVH of %zu items within %zu bytes", in->n,
                       how.most_bytes);
@@ -140,7 +141,7 @@ static inline bool tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tre
 static inline structure_stats tree_stats(const bvh_tree *t)
 {
     structure_stats s = {.references = t->items, .items = t->items, .depth = t->depth,
-                         .bytes = t->bytes, .peak = t->peak};
+                         .bytes = t->held.bytes, .peak = t->held.peak};
     for (size_t i = 0; t->items && i < t->nodes; i++) s.leaves += i != 1 && t->node[i].count > 0;
     s.inner = s.leaves ? s.leaves - 1 : 0;
     return s;

@@ -138,9 +138,9 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
             instances_free(out);
             return false;
         }
-        size_t peak = out->bytes + out->lower[k].tree.peak;
+        size_t peak = out->bytes + out->lower[k].tree.held.peak;
         out->peak = peak > out->peak ? peak : out->peak;
-        out->bytes += out->lower[k].tree.bytes;
+        out->bytes += out->lower[k].tree.held.bytes;
     }
     bvh_item *item = allocate(c->n, sizeof *item);
     placed *all = allocate(c->n, sizeof *all);
@@ -158,10 +158,11 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
         out->place[i].index = item[i].index;
         out->where[item[i].index] = (uint32_t)i;
     }
-    size_t peak = out->bytes + out->tree.peak + (c->n + n) * sizeof *all + c->n * sizeof(uint32_t);
+    memory *m = &out->tree.held;
+    size_t peak = out->bytes + m->peak + (c->n + n) * sizeof *all + c->n * sizeof(uint32_t);
     out->peak = peak > out->peak ? peak : out->peak;
-    out->tree.bytes += n * (sizeof *all - sizeof *item) + c->n * sizeof(uint32_t);
-    out->bytes += out->tree.bytes;
+    m->bytes += n * (sizeof *all - sizeof *item) + c->n * sizeof(uint32_t);
+    out->bytes += m->bytes;
     free(item), free(all);
     return true;
 }

@@ -149,17 +149,17 @@ static inline void tree_morton(const bvh_input *in, bvh_options how, bvh_tree *t
 {
     size_t n = in->n, size = sizeof(radix_code);
     radix_code *pair = tree_array(t, n, size), *spare = tree_array(t, n, size);
-    if (!t->full) {
+    if (!t->held.full) {
         morton_codes(in->item, n, pair);
         radix_sort_codes(pair, spare, n);
     }
-    tree_drop(t, spare, n, size);
-    if (!t->full && tree_begin(t, 2 * n + 2)) {
+    memory_drop(&t->held, spare, n, size);
+    if (!t->held.full && tree_begin(t, 2 * n + 2)) {
         morton_reorder(in->item, pair, n);
         morton_builder b = {t, in->item, pair, how};
         if (n) morton_node(&b, 0, 0, n, 0);
     }
-    tree_drop(t, pair, n, size);
+    memory_drop(&t->held, pair, n, size);
 }
 
 #endif

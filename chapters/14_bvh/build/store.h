@@ -7,13 +7,13 @@
  *        4   5                   they lie in the order of the leaves, from left to right
  *   [0..1]   [2..3]
  *
- *   tree_takes(&t, n, size), tree_gives(&t, n, size)   keep count of the bytes held; most_bytes
+ *   tree_array(&t, n, size)     for the time of building; counted, as all is: t.held (09)
  *   tree_begin(&t, n)           the root, empty, with places for n nodes
  *   tree_pair(&t)               two more places in use, wherever they come from
  *   tree_trim(&t)               gives back the places that are not in use
  *   tree_free(&t)               a zeroed tree may be freed
  *
- * Where something does not fit, t.full is set, and building ends with false.
+ * Where something does not fit, t.held.full is set, and building ends with false.
  */
 #ifndef BVH_STORE_H
 #define BVH_STORE_H
@@ -36,9 +36,7 @@ typedef struct {
     size_t room;         /* places there are */
     size_t items;        /* in leaves */
     int depth;           /* of the deepest leaf [0..64] */
-    size_t bytes, peak;  /* held now, and the most ever held */
-    size_t most_bytes;
-    bool full;           /* something did not fit: this is no tree */
+    memory held;         /* held.full: this is no tree */
 } bvh_tree;
 
 /* Box of what of the item is in item.box and in the slab [lo, hi]; false if that is nothing. It may
@@ -58,31 +56,11 @@ enum { bvh_most_cuts = 8 };  /* references an item, on average, where items are 
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Counts n times `size` bytes; false: no room for them. */
-static inline bool tree_takes(bvh_tree *t, size_t n, size_t size)
-{
-    if (n > (t->most_bytes - t->bytes) / size) t->full = true;
-    if (t->full) return false;
-    t->bytes += n * size;
-    if (t->bytes > t->peak) t->peak = t->bytes;
-    return true;
-}
-
-static inline void tree_gives(bvh_tree *t, size_t n, size_t size) { t->bytes -= n * size; }
-
-/* An array for what builds the tree, all zero, for tree_drop(&t, p, n, size); NULL: no room. */
+/* All zero, padding, too; for memory_drop(&t.held, p, n, size). NULL: no room. */
 static inline void *tree_array(bvh_tree *t, size_t n, size_t size)
 {
-    if (!tree_takes(t, n, size)) return NULL;
-    void *p = calloc(n ? n : 1, size);
-    t->full |= !p;
-    return p;
-}
-
-static inline void tree_drop(bvh_tree *t, void *p, size_t n, size_t size)
-{
-    free(p);
-    tree_gives(t, n, size);
+    void *p = NULL;
+    return memory_fit(&t->held, &p, 0, n, &(size_t){0}, size) ? memset(p, 0, n * size) : NULL;
 }
 
 static inline void tree_free(bvh_tree *t)
@@ -91,23 +69,9 @@ static inline void tree_free(bvh_tree *t)
     *t = (bvh_tree){0};
 }
 
-/* Room for `room` nodes, from the beginning of a line of the cache; those that there are move. If
- * there is no memory for both at once, nothing changes. */
 static inline bool tree_nodes(bvh_tree *t, size_t room)
 {
-    size_t before = t->room;
-    room += room % 2;
-    if (!tree_takes(t, room, sizeof(bvh_node))) return false;
-    bvh_node *all = aligned_alloc(64, room * sizeof *all);
-    if (!all) {
-        tree_gives(t, room, sizeof *all);
-        t->full = true;
-        return false;
-    }
-    if (before) memcpy(all, t->node, t->nodes * sizeof *all);
-    tree_drop(t, t->node, before, sizeof *all);
-    t->node = all, t->room = room;
-    return true;
+    return memory_fit(&t->held, &t->node, t->nodes, room + room % 2, &t->room, sizeof(bvh_node));
 }
 
 static inline bool tree_begin(bvh_tree *t, size_t room)
@@ -130,7 +94,7 @@ static inline bool tree_pair(bvh_tree *t)
 static inline void tree_trim(bvh_tree *t)
 {
     if (2 * t->nodes <= t->room) (void)tree_nodes(t, t->nodes);
-    t->full = false;  /* without it there is a tree all the same */
+    t->held.full = false;  /* without it there is a tree all the same */
 }
 
 /* The smallest e with 2^e >= n. */

@@ -68,7 +68,7 @@ static inline void method_free(instances_method *m)
 /* Without the caller's meshes, if it is flattened. */
 static inline double method_megabytes(const instances_method *m)
 {
-    size_t bytes = m->flat ? mesh_bytes(&m->m) + m->b.tree.bytes : m->x.bytes;
+    size_t bytes = m->flat ? mesh_bytes(&m->m) + m->b.tree.held.bytes : m->x.bytes;
     for (size_t k = 0; !m->flat && k < m->s->c.meshes; k++) bytes += mesh_bytes(&m->s->c.mesh[k]);
     return (double)bytes * 0x1p-20;
 }
