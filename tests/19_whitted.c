@@ -8,7 +8,7 @@
 #include "../chapters/19_whitted/scenes/forty.h"
 #include "../chapters/19_whitted/lab/tank.h"
 #include "../chapters/19_whitted/lab/two_spheres.h"
-#include "../chapters/19_whitted/whitted_loop.h"
+#include "../chapters/19_whitted/lab/whitted_loop.h"
 
 /* ---- a small scene: shapes, each with a look ------------------------------------------------- */
 

@@ -5,7 +5,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/pictures.h"
 #include "../chapters/22_radiometry/lab/directions.h"
-#include "../chapters/22_radiometry/photometry.h"
+#include "../chapters/22_radiometry/lab/photometry.h"
 #include "../common/file.h"
 #include "check.h"
 

@@ -3,7 +3,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/25_bounces/first.h"
-#include "../chapters/25_bounces/series.h"
+#include "../chapters/25_bounces/lab/series.h"
 #include "../chapters/25_bounces/terms.h"
 #include "check.h"
 

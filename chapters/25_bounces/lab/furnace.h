@@ -21,7 +21,7 @@
 #define BOUNCES_FURNACE_H
 
 #include "../../24_direct_light/lit_scene.h"
-#include "../series.h"
+#include "series.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

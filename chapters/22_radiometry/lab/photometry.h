@@ -22,7 +22,7 @@
 #ifndef RADIOMETRY_PHOTOMETRY_H
 #define RADIOMETRY_PHOTOMETRY_H
 
-#include "../../common/vec3.h"
+#include "../../../common/vec3.h"
 
 enum { efficiency_first = 380, efficiency_last = 780, efficiency_step = 10, efficiencies = 41 };
 #define lumens_per_watt 683.0

@@ -14,7 +14,7 @@
 #ifndef WHITTED_LOOP_H
 #define WHITTED_LOOP_H
 
-#include "whitted.h"
+#include "../whitted.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -19,7 +19,7 @@
 #ifndef BOUNCES_SERIES_H
 #define BOUNCES_SERIES_H
 
-#include "../../common/vec3.h"
+#include "../../../common/vec3.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
