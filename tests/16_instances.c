@@ -649,22 +649,6 @@ static void test_scales(void)
     }
 }
 
-/* What is held at the same time while the upper tree is made: all of the result but its last array,
- * and the instances twice, in the order given and in the tree's. */
-static void test_peak(void)
-{
-    mesh m = floors_mesh(1);
-    enum { n = 1000 };
-    instance *list = allocate(n, sizeof *list);
-    for (size_t i = 0; i < n; i++)
-        list[i] = (instance){affine_translation((vec3){(real)(3 * i), 0, 0}), 0};
-    crowd c = {&m, 1, list, n};
-    instances x = built(&c, INSTANCES_POINTS);
-    check_at_least(x.peak, x.bytes + n * sizeof *x.place, "peak");
-    check_at_most(x.peak, 3 * x.bytes, "and not out of all proportion");
-    instances_free(&x), mesh_free(&m), free(list);
-}
-
 static void test_none(void)
 {
     mesh m = floors_mesh(1), empty = {0}, both[2] = {empty, m};
@@ -880,7 +864,7 @@ static void test_invariants(void)
     double triangles = 17 * (double)s.mesh[0].triangles + 16  /* (7 is of floors) */
         * (double)s.mesh[1].triangles
         + 16 * (double)s.mesh[2].triangles;
-    check_equal(instances_stats(&x).triangles, triangles, "triangles of all instances");
+    check_equal(flattened_triangles(&x), triangles, "triangles of all instances");
     check_equal(never_hit(&x), 1, "hidden");
     size_t bytes = x.tree.held.bytes;
     for (int k = 0; k < 3; k++) bytes += x.lower[k].tree.held.bytes;
@@ -1081,7 +1065,6 @@ int main(void)
     test_refined();
     test_beyond_all_numbers();
     test_scales();
-    test_peak();
     test_none();
     test_sick_mesh();
     test_boxes();

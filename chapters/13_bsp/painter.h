@@ -8,8 +8,6 @@
  *   painter p;
  *   bool painter_build(&m, painter_defaults, &p, &f)   false: too many pieces, no candidates
  *   size_t n = painter_order(&p, eye, order)           all pieces, farthest first; order[p.pieces]
- *   painter_uncut(&m, &p)                              no tree: all triangles as they are
- *   painter_order_naive(&p, eye, order)                all pieces by distance of their middles
  *   painter_free(&p)                                   a zeroed one may be freed
  *
  *   p.piece[k]      corners p.corner[first .. first + corners - 1], of triangle `owner`
@@ -230,14 +228,6 @@ static inline bool painter_build(const mesh *m, painter_options how, painter *ou
     return failed(f, 2, "%zu triangles: cut into more than %zu pieces", m->triangles, how.most);
 }
 
-static inline void painter_uncut(const mesh *m, painter *out)
-{
-    *out = (painter){0};
-    painter_builder b = {.p = out, .m = m};
-    painter_list all = painter_begin(&b);
-    out->piece = all.piece, out->pieces = all.n, out->piece_room = all.room;
-}
-
 /* Back, own plane, front, as the eye sees them. A stack of its own, as the tree may be as deep as
  * there are triangles. An eye in the plane sees its pieces edge-on: any order will do. */
 static inline size_t painter_order(const painter *p, vec3 eye, uint32_t *order)
@@ -258,34 +248,6 @@ static inline size_t painter_order(const painter *p, vec3 eye, uint32_t *order)
     }
     free(stack);
     return n;
-}
-
-/* ---- naive ---- */
-
-typedef struct { real far; uint32_t piece; } painter_key;
-
-static inline int painter_key_order(const void *a, const void *b)
-{
-    const painter_key *x = a, *y = b;
-    return x->far != y->far ? (x->far < y->far) - (x->far > y->far)
-                            : (x->piece > y->piece) - (x->piece < y->piece);
-}
-
-/* Three triangles, each over the next (see above): any order of whole triangles is wrong. */
-static inline size_t painter_order_naive(const painter *p, vec3 eye, uint32_t *order)
-{
-    painter_key *key = allocate(p->pieces, sizeof *key);
-    vec3 e = vsub(eye, p->middle);
-    for (size_t i = 0; i < p->pieces; i++) {
-        vec3 sum = {0, 0, 0};
-        const painter_piece *x = &p->piece[i];
-        for (uint32_t k = 0; k < x->corners; k++) sum = vadd(sum, p->corner[x->first + k]);
-        key[i] = (painter_key){vlength(vsub(vscale(sum, 1 / (real)x->corners), e)), (uint32_t)i};
-    }
-    qsort(key, p->pieces, sizeof *key, painter_key_order);
-    for (size_t i = 0; i < p->pieces; i++) order[i] = key[i].piece;
-    free(key);
-    return p->pieces;
 }
 
 #endif

@@ -2,7 +2,7 @@
  * these.
  *
  *   instances_build(&c, how, &x, &f)      false: what f says; *out may still be freed
- *   instances_stats(&x), instances_free(&x)
+ *   instances_free(&x)
  *
  *   how.boxes                INSTANCES_CORNERS, _POINTS, _NAIVE: below
  *   how.upper, how.lower     of the trees, as in 14; an instance costs far more than a triangle:
@@ -38,13 +38,8 @@ typedef struct {
     size_t n, meshes;
     const mesh *mesh;     /* [meshes] the caller's */
     bvh_mesh *lower;      /* [meshes] */
-    size_t bytes, peak;   /* of both levels, without the meshes themselves */
+    size_t bytes;         /* of both levels, without the meshes themselves */
 } instances;
-
-typedef struct {
-    double triangles;     /* of all instances: what flattening would have to store */
-    size_t mesh_bytes;
-} instance_stats;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -138,8 +133,6 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
             instances_free(out);
             return false;
         }
-        size_t peak = out->bytes + out->lower[k].tree.held.peak;
-        out->peak = peak > out->peak ? peak : out->peak;
         out->bytes += out->lower[k].tree.held.bytes;
     }
     bvh_item *item = allocate(c->n, sizeof *item);
@@ -158,22 +151,10 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
         out->place[i].index = item[i].index;
         out->where[item[i].index] = (uint32_t)i;
     }
-    memory *m = &out->tree.held;
-    size_t peak = out->bytes + m->peak + (c->n + n) * sizeof *all + c->n * sizeof(uint32_t);
-    out->peak = peak > out->peak ? peak : out->peak;
-    m->bytes += n * (sizeof *all - sizeof *item) + c->n * sizeof(uint32_t);
-    out->bytes += m->bytes;
+    out->tree.held.bytes += n * (sizeof *all - sizeof *item) + c->n * sizeof(uint32_t);
+    out->bytes += out->tree.held.bytes;
     free(item), free(all);
     return true;
-}
-
-static inline instance_stats instances_stats(const instances *x)
-{
-    instance_stats s = {0, 0};
-    for (size_t i = 0; i < x->tree.items; i++)
-        s.triangles += (double)x->mesh[x->place[i].mesh].triangles;
-    for (size_t k = 0; k < x->meshes; k++) s.mesh_bytes += mesh_bytes(&x->mesh[k]);
-    return s;
 }
 
 #endif

@@ -14,7 +14,6 @@
  *                                         instance h.instance, h.h.t the t of r
  *   bool instances_occluded(&x, r)        is there any?
  *   vec3 instances_normal(&x, h)          unit shading normal in the world (normals.h)
- *   instances_stats(&x)                   triangles; memory of the meshes
  *   instances_free(&x);                   a zeroed one may be freed
  *   instances_hit_counted(&x, r, &h, &work), instances_occluded_counted(&x, r, &work)
  *   instances_hit_naive(&x, r, &h)        normalises D': hits in the wrong order

@@ -1,6 +1,7 @@
 /* flattened.h: a crowd as one mesh of everything (展平), the other way to do without two levels.
  *
  *   mesh m = crowd_flattened(&c)
+ *   double n = flattened_triangles(&x)        how many, without making it
  *
  * The corners of instance i are M p + m, rounded; its triangles follow those of instance i - 1, so
  * the lower index is the lower instance, then the lower triangle, as it should be. An instance that
@@ -10,8 +11,7 @@
 #ifndef INSTANCES_FLATTENED_H
 #define INSTANCES_FLATTENED_H
 
-#include "../crowd.h"
-#include "../normals.h"
+#include "../instances.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -54,6 +54,13 @@ static inline mesh crowd_flattened(const crowd *c)
         flat_add(&m, &c->mesh[c->list[i].mesh], c->list[i].to_world, a);
     }
     return m;
+}
+
+static inline double flattened_triangles(const instances *x)
+{
+    double n = 0;
+    for (size_t i = 0; i < x->tree.items; i++) n += (double)x->mesh[x->place[i].mesh].triangles;
+    return n;
 }
 
 #endif

@@ -158,7 +158,7 @@ static inline void table_of_methods(const options *o)
                1e9 / (double)s.eye.n, eye);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
-             "answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles, s.eye.n, corners);
+             "answers of %zu at corners", s.c.n, flattened_triangles(&s.x), s.eye.n, corners);
     table out = table_new(title, "method|memory [MB]|instances a ray|triangles a ray|error near|"
                                  "error far|time eye [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
@@ -192,7 +192,7 @@ static inline void table_of_growth(const options *o)
         bench_each(method_search, &two, sizeof two, 1, o->quick ? 1 : 5, 1e9 / (double)s.eye.n,
                    &ns);
         method_work(&two, &entered, &tests);
-        double triangles = instances_stats(&s.x).triangles;
+        double triangles = flattened_triangles(&s.x);
         if (n <= 100) {
             method_build(&flat, &s.c);
             mb_a_triangle = method_megabytes(&flat) / triangles;

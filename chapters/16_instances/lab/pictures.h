@@ -9,6 +9,7 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../07_mesh/scenes/teapot.h"
+#include "flattened.h"
 #include "forest.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -28,12 +29,13 @@ static inline void draw_forest(const options *o, bool naive)
     int samples = o->quick || naive ? 1 : 2;
     forest_view v = {&w, &x, eye, o->width, o->height, naive};
     bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
-    instance_stats s = instances_stats(&x);
+    size_t meshes = 0;
+    for (size_t k = 0; k < x.meshes; k++) meshes += mesh_bytes(&x.mesh[k]);
     if (!naive)
         printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
-               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", x.n, x.meshes, s.triangles,
-               (double)(x.bytes + s.mesh_bytes) * 0x1p-20, built - start, o->width, o->height,
-               samples * samples, clock_seconds() - built);
+               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", x.n, x.meshes,
+               flattened_triangles(&x), (double)(x.bytes + meshes) * 0x1p-20, built - start,
+               o->width, o->height, samples * samples, clock_seconds() - built);
     output_picture(o, &im, naive ? "16_instances_unit.png" : "16_instances.png", !naive, whole);
     instances_free(&x), forest_free(&w), image_free(&im);
 }
