@@ -40,10 +40,11 @@ static void measure(const options *o)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL, *strategy = "sah", *pixel = NULL;
+    const char *path = NULL, *strategy = "sah", *pixel = NULL, *up = "y";
     int leaf = bvh_defaults.leaf;
     const option list[] = {
-        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up"},
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh"},
+        {"up", OPTION_TEXT, &up, 0, 0, "of that mesh: y (default) or z points up"},
         {"strategy", OPTION_TEXT, &strategy, 0, 0,
          "cycle, longest, median, sah, sweep, morton or spatial"},
         {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words and drawn"},
@@ -55,12 +56,14 @@ int main(int argc, char **argv)
     trial_scene s = {.due = NULL};
     if (o.csv && (path || o.out)) die(2, "--csv: no table with --mesh, --out");
     if (pixel && (o.out || o.csv)) die(2, "--pixel: not with --out, --csv");
+    bool z_up = !path || strcmp(up, "z") == 0;
+    if (!z_up && strcmp(up, "y") != 0) die(2, "bad value --up %s: allowed are y, z", up);
     if (path && !obj_read(path, &s.m, &f)) fail(f);
     if (!path) s.m = teapot_mesh(o.quick ? 8 : 40);
     s.x = items_of_mesh(&s.m);
     o.own = path || pixel;
-    if (pixel) pixel_explain(&o, &s.m, how, !path, pixel);
-    else trial_draw_mesh(&o, &s, &bvh_trial, &how, !path, "14_bvh.png", path);
+    if (pixel) pixel_explain(&o, &s.m, how, z_up, pixel);
+    else trial_draw_mesh(&o, &s, &bvh_trial, &how, z_up, "14_bvh.png", path);
     if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
     trial_scene_free(&s);
     return output_done(&o);
