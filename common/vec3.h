@@ -20,7 +20,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <tgmath.h>  /* sqrt, fabs, fma ... choose their float or double form by their argument */
-#undef I             /* the imaginary unit: not ours, and a name that radiometry needs */
 
 #ifndef REAL
 #define REAL double

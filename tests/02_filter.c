@@ -225,7 +225,7 @@ static void test_bias(void)
     const int n = (int)(asked > least ? asked : least);
     double bias[4][2], spread[4][2];
     for (int k = 0; k < 4; k++) stripe_means(1 << 2 * k, k ? n / 4 : n, bias[k], spread[k]);
-    check_close(bias[0][0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
+    check_close(bias[0][0], -0.25, 4 * 0.5 / sqrt((double)n), "one ray: 1/2 - 3/4");
     for (int k = 1; k < 4; k++) {
         double sigma = spread[k][1] / sqrt(n / 4), own = spread[k][0] / sqrt(n / 4);
         check_at_most(fabs(bias[k][1]), 4 * sigma, "by the expected weight: no bias");

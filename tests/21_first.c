@@ -131,10 +131,11 @@ static first_scene sharp_balls(first_lamp *lamp)
     vec3 down = vunit(vneg(s.light[0].p)), a, b;
     for (int i = 0; i < s.things; i++)
         s.thing[i].m.ks = zero, s.thing[i].m.shine = real_is_float ? (real)1e13 : (real)1e25;
-    s.light[0].p = vscale(s.light[0].p, 100), s.light[0].I = vscale(s.light[0].I, 10000);
+    s.light[0].p = vscale(s.light[0].p, 100);
+    s.light[0].intensity = vscale(s.light[0].intensity, 10000);
     vbasis(down, &a, &b);
     *lamp = (first_lamp){s.light[0].p, vscale(a, (real)0.1), vscale(b, (real)0.1),
-                         vscale(s.light[0].I, 100)};
+                         vscale(s.light[0].intensity, 100)};
     return s;
 }
 

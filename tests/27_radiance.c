@@ -359,10 +359,10 @@ static void test_light(void)
     expect("closed sphere, turned outwards", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\n"
            "Kd 0.5 0.25 0.1\nKe 1 2 3\nillum 1\nsphere 0 0 0 2\n",
            (double[3]){2, 2 / 0.75, 3 / 0.9}, 300, 0);
-    double I = 10 / (double)pi / 4;
+    double power = 10 / (double)pi / 4;
     expect("a point light in a closed ball", "camera from 0 0.5 0.5 at 0 0 3\nmaterial m\n"
            "Kd 0.7 0.5 0.2\nillum 1\nsphere 0 0 0 -2\nlight at 0 0 0 colour 10\n",
-           (double[3]){I * 7 / 3, I, I / 4}, 300, 0);
+           (double[3]){power * 7 / 3, power, power / 4}, 300, 0);
     expect("a floor in a shining sphere", "camera from 0 2 5 at 0 0 0\nmaterial floor\nKd 0.7\n"
            "illum 1\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 1 2 3\n"
            "sphere 0 0 0 50\n", (double[3]){0.7, 1.4, 2.1}, 300, 0);

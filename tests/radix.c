@@ -16,13 +16,13 @@ static int by_key(const void *a, const void *b)
 static int by_pair(const void *a, const void *b)
 {
     const radix_pair *x = a, *y = b;
-    return x->key != y->key ? (x->key < y->key ? -1 : 1) : (x->place > y->place) - 1;
+    return x->key != y->key ? (x->key < y->key ? -1 : 1) : x->place > y->place ? 1 : -1;
 }
 
 static int by_code(const void *a, const void *b)
 {
     const radix_code *x = a, *y = b;
-    return x->key != y->key ? (x->key < y->key ? -1 : 1) : (x->place > y->place) - 1;
+    return x->key != y->key ? (x->key < y->key ? -1 : 1) : x->place > y->place ? 1 : -1;
 }
 
 enum { kinds = 8 };

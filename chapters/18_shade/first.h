@@ -23,7 +23,7 @@ typedef struct {
     first_material m;
 } first_thing;
 
-typedef struct { vec3 p, I; } first_light;  /* a point, and its intensity (辐射强度) */
+typedef struct { vec3 p, intensity; } first_light;  /* a point, and its I (辐射强度) */
 
 enum { first_most_things = 32, first_most_lights = 4 };
 typedef struct {
@@ -128,7 +128,7 @@ static inline vec3 first_shade(const first_scene *s, first_point x)
         vec3 d = vsub(s->light[i].p, x.p), l = vunit(d);
         real cosine = vdot(x.n, l);
         if (cosine <= 0 || first_occluded(s, (ray){x.p, s->eps, d, 1 - s->eps})) continue;
-        vec3 E = vscale(s->light[i].I, cosine / vdot(d, d));              /* I cos / r^2   (18.1) */
+        vec3 E = vscale(s->light[i].intensity, cosine / vdot(d, d));      /* I cos / r^2   (18.1) */
         L = vadd(L, first_reflected(x, l, E));
     }
     return L;

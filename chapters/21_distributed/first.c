@@ -17,7 +17,7 @@ int main(int argc, char **argv)
     vec3 at = s.light[0].p, down = vunit(vneg(at)), a, b;
     vbasis(down, &a, &b);
     first_lamp lamp = {vsub(at, vscale(vadd(a, b), 2)), vscale(a, 4), vscale(b, 4),
-                       vscale(s.light[0].I, 1 / 16.0)};
+                       vscale(s.light[0].intensity, 1 / 16.0)};
     first_add_flat(&s, lamp.corner, lamp.a, lamp.b, (first_material){.ke = lamp.L});
     s.thing[2].m.shine = 90;
 

@@ -22,8 +22,8 @@ static inline real first_sphere_solid_angle(sphere s, vec3 p)
 static inline real first_sphere_irradiance(sphere s, real L, vec3 p, vec3 n)
 {
     vec3 d = vsub(s.c, p);
-    real I = L * pi * s.r * s.r;
-    return I * real_max(vdot(n, vunit(d)), 0) / vdot(d, d);
+    real intensity = L * pi * s.r * s.r;
+    return intensity * real_max(vdot(n, vunit(d)), 0) / vdot(d, d);
 }
 
 /* E = integral of L cos theta d omega over the hemisphere (22.9). One uniform direction, p = 1/2pi,

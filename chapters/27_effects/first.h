@@ -60,7 +60,7 @@ static inline vec3 first_plan_lights(const first_scene *s, const first_plan *p, 
             first_rays[first_shadows]++;
             if (first_occluded(s, (ray){x.p, s->eps, d, 1 - s->eps})) continue;
         }
-        L = vadd(L, first_reflected(x, l, vscale(s->light[i].I, cosine / vdot(d, d))));
+        L = vadd(L, first_reflected(x, l, vscale(s->light[i].intensity, cosine / vdot(d, d))));
     }
     return L;
 }

@@ -55,7 +55,7 @@ static inline first_world *first_world_new(const first_scene *s, int depth)
     x->s = s;
     for (int i = 0; i < s->things; i++) first_world_add(&x->on, &s->thing[i]);
     for (int i = 0; i < s->lights; i++)
-        x->on.light[i] = (light){LIGHT_POINT, s->light[i].p, s->light[i].I};
+        x->on.light[i] = (light){LIGHT_POINT, s->light[i].p, s->light[i].intensity};
     x->on.w = (whitted){.n = s->lights, .material_of = first_world_look, .context = x,
                         .sky = first_world_sky, .ambient = s->ambient};
     stage_begin(&x->on, depth);
