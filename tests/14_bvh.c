@@ -137,11 +137,12 @@ static void test_sick(void)
         bvh_mesh_free(&b);
     }
     mesh_free(&m);
-    bvh_shapes none;
-    check(bvh_shapes_build(&(scene){NULL, 0}, bvh_defaults, &none, NULL)
-              && !bvh_shapes_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h),
+    bvh none;
+    items nothing = items_of_scene(&(scene){NULL, 0});
+    check(bvh_build(&nothing, bvh_defaults, &none, NULL)
+              && !bvh_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h),
           "no shapes are never hit");
-    bvh_shapes_free(&none);
+    bvh_free(&none);
 }
 
 /* Plates one behind another, a ray through all of them from either end: whoever looks at the nearer

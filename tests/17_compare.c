@@ -355,7 +355,7 @@ static void test_shrunk_box(const char *name)
         for (uint32_t k = 0; k < t->node[i].count; k++) {
             bvh_box *box = &t->node[i].box;
             uint32_t at = t->node[i].first + k;
-            if ((x.m ? b->mesh.triangle[at].index : b->shapes.index[at]) != due.shape) continue;
+            if ((x.m ? b->mesh.triangle[at].index : b->index[at]) != due.shape) continue;
             memcpy(box->side + 3, box->side, 3 * sizeof *box->side);
             shrunk++;
         }

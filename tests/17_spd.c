@@ -1,6 +1,6 @@
 /* The seven scenes of the SPD: how many shapes, where they must lie by their own geometry, and how
  * many of the published rays hit them. */
-#include "../chapters/14_bvh/bvh_shapes.h"
+#include "../chapters/14_bvh/bvh.h"
 #include "../chapters/07_mesh/files/nff_world.h"
 #include "../chapters/07_mesh/scenes/named.h"
 #include "check.h"
@@ -359,13 +359,14 @@ static void test_teapot(void)
 static size_t count_hits(const world *w)
 {
     scene s = world_scene(w);
-    bvh_shapes b;
+    items x = items_of_scene(&s);
+    bvh b;
     size_t hits = 0;
     hit h;
-    check(bvh_shapes_build(&s, bvh_defaults, &b, NULL), "built");
+    check(bvh_build(&x, bvh_defaults, &b, NULL), "built");
     for (int j = 0; j <= spd_edge; j++)
-        for (int i = 0; i <= spd_edge; i++) hits += bvh_shapes_hit(&b, spd_ray(w, i, j), &h);
-    bvh_shapes_free(&b);
+        for (int i = 0; i <= spd_edge; i++) hits += bvh_hit(&b, spd_ray(w, i, j), &h);
+    bvh_free(&b);
     return hits;
 }
 

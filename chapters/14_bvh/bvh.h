@@ -13,44 +13,86 @@
  * leaf may lie in the boxes of others, and a ray may have to look into several boxes at the same
  * place. (The rule "spatial" does cut: there a triangle may be in several leaves.)
  *
- * how: tree.h, with the rules by which it is cut. Of a mesh it is a bvh_mesh, of a scene of shapes
- * a bvh_shapes; who knows which takes that, and a program of triangles alone is spared the rest.
+ * how: tree.h, with the rules by which it is cut. Of a mesh it is a bvh_mesh: a program of
+ * triangles alone takes that, and is spared the rest.
  */
 #ifndef BVH_H
 #define BVH_H
 
 #include "../09_aabb/items.h"
 #include "bvh_mesh.h"
-#include "bvh_shapes.h"
 
-typedef struct { items x; bvh_mesh mesh; bvh_shapes shapes; } bvh;  /* one of the two, as x says */
+typedef struct {
+    items x;          /* says which of the two it is: */
+    bvh_mesh mesh;    /* of a mesh; or */
+    bvh_tree shapes;  /* of the shapes of a scene: */
+    uint32_t *index;  /* [shapes.items] their numbers, in the order of the leaves */
+} bvh;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline const bvh_tree *bvh_tree_of(const bvh *b)
 {
-    return b->x.m ? &b->mesh.tree : &b->shapes.tree;
+    return b->x.m ? &b->mesh.tree : &b->shapes;
+}
+
+static inline void bvh_free(bvh *b)
+{
+    bvh_mesh_free(&b->mesh), tree_free(&b->shapes);
+    free(b->index);
+    *b = (bvh){.x = {NULL, NULL, 0}};
+}
+
+/* A shape whose box is not a number is never hit. */
+static inline bool bvh_take_shapes(bvh_options how, bvh_item *item, bvh *out, failure *f)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < out->x.n; i++) {
+        aabb box;
+        if (!items_bounds(&out->x, i, &box)) continue;
+        item[n++] = (bvh_item){box_between(box.lo, box.hi), (uint32_t)i};
+    }
+    if (!tree_build(item, n, how, &out->shapes, f)) return false;
+    out->index = tree_array(&out->shapes, n, sizeof *out->index);
+    if (!out->index) return failed(f, 1, "BVH: no memory for %zu shapes", n);
+    for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
+    memory_gives(&out->shapes.held, n, sizeof *item);
+    return true;
 }
 
 static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure *f)
 {
     *out = (bvh){.x = *x};
-    return x->m ? bvh_mesh_build(x->m, how, &out->mesh, f)
-                : bvh_shapes_build(x->s, how, &out->shapes, f);
+    if (x->m) return bvh_mesh_build(x->m, how, &out->mesh, f);
+    bvh_item *item = x->n <= how.most_bytes / sizeof *item ? calloc(x->n + 1, sizeof *item) : NULL;
+    if (!item) return failed(f, 1, "BVH: no memory for %zu items", x->n);
+    bool built = bvh_take_shapes(how, item, out, f);
+    free(item);
+    if (!built) bvh_free(out);
+    return built;
 }
 
-static inline void bvh_free(bvh *b)
+__attribute__((always_inline))
+static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                                   bool any)
 {
-    bvh_mesh_free(&b->mesh);
-    bvh_shapes_free(&b->shapes);
-    *b = (bvh){.x = {NULL, NULL, 0}};
+    const bvh *b = context;
+    bool found = false;
+    hit h;
+    for (const uint32_t *i = b->index + first, *end = i + count; i < end; i++) {
+        if (!shape_hit_sheared(&b->x.s->shapes[*i], &q->shear, q->r, &h)) continue;
+        if (any) return true;
+        h.shape = *i;
+        found |= query_improves(q, h);
+    }
+    return found;
 }
 
 __attribute__((always_inline))
 static inline bool bvh_search(const bvh *b, ray r, bool any, hit *out, search_work *work)
 {
     return b->x.m ? bvh_mesh_search(&b->mesh, r, any, out, work)
-                  : bvh_shapes_search(&b->shapes, r, any, out, work);
+                  : tree_search(&b->shapes, r, box_ray_of, bvh_shapes_leaf, b, any, out, work);
 }
 
 STRUCTURE_VERBS(bvh)

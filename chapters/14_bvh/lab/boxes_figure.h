@@ -1,14 +1,14 @@
 /* boxes_figure.h: boxes in boxes, the tree that they are, and what one ray sees of both.
  *
  *   draw_nested(&o)     left: ten balls, cut in their middle by the plane of the paper, and the
- *                       boxes of their tree; right: the tree. It is built by bvh_shapes_build and
+ *                       boxes of their tree; right: the tree. It is built by bvh_build and
  *                       searched by tree_search, whose leaves say in which order they were asked.
  */
 #ifndef BVH_BOXES_FIGURE_H
 #define BVH_BOXES_FIGURE_H
 
 #include "../../../common/lab/figure.h"
-#include "../bvh_shapes.h"
+#include "../bvh.h"
 
 enum { boxes_balls = 10, boxes_most = 32 };
 static const double boxes_ball[boxes_balls][3] = {  /* x, y, radius */
@@ -19,7 +19,7 @@ static const char *const boxes_colour[4] = {FIGURE_BLACK, FIGURE_BLUE, FIGURE_GR
 typedef enum { BOXES_UNSEEN, BOXES_MISSED, BOXES_DROPPED, BOXES_ENTERED } boxes_state;
 
 typedef struct {
-    const bvh_shapes *b;
+    const bvh *b;
     uint32_t asked[boxes_most];     /* of each leaf, as the search comes to it: its first item */
     int n;
     boxes_state state[boxes_most];  /* [node] */
@@ -44,7 +44,7 @@ static inline bool boxes_leaf(const void *context, uint32_t first, uint32_t coun
 static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, float limit,
                                bool seen, int depth)
 {
-    const bvh_node *n = &x->b->tree.node[at];
+    const bvh_node *n = &x->b->shapes.node[at];
     float exit, enter = box_enter(&n->box, q, INFINITY, &exit);
     x->depth[at] = depth, x->name[at] = (char)('A' + x->names++);
     if (depth > x->deepest) x->deepest = depth;
@@ -65,8 +65,8 @@ static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, f
 /* The boxes, a little apart so that common sides are two lines. */
 static inline void boxes_boxes(figure *g, const boxes_figure *x)
 {
-    for (uint32_t i = 0; i < x->b->tree.nodes; i++) {
-        const float *s = x->b->tree.node[i].box.side;
+    for (uint32_t i = 0; i < x->b->shapes.nodes; i++) {
+        const float *s = x->b->shapes.node[i].box.side;
         int depth = x->depth[i];
         double out = 5.0 * (x->deepest - depth) / g->unit, lo[2], hi[2];
         if (i == 1) continue;
@@ -84,7 +84,7 @@ static inline void boxes_node(figure *g, const boxes_figure *x, uint32_t i, doub
 {
     static const char *const says[4] = {"never tested", "tested: missed", "met, dropped",
                                         "entered"};
-    const bvh_node *n = &x->b->tree.node[i];
+    const bvh_node *n = &x->b->shapes.node[i];
     double xy[8] = {px - 18, py - 16, px + 18, py - 16, px + 18, py + 16, px - 18, py + 16};
     char text[64] = {x->name[i], 0};
     figure_polygon(g, 4, xy, "white", 1, boxes_colour[x->depth[i]]);
@@ -106,8 +106,8 @@ static inline void boxes_node(figure *g, const boxes_figure *x, uint32_t i, doub
 static inline void boxes_tree(figure *g, const boxes_figure *x)
 {
     for (int pass = 0; pass < 2; pass++)  /* lines below, nodes above */
-        for (uint32_t i = 0; i < x->b->tree.nodes; i++) {
-            const bvh_node *n = &x->b->tree.node[i];
+        for (uint32_t i = 0; i < x->b->shapes.nodes; i++) {
+            const bvh_node *n = &x->b->shapes.node[i];
             double px = x->column[i] * 122, py = -120.0 * x->depth[i];
             if (pass && i != 1) boxes_node(g, x, i, px, py);
             for (uint32_t c = n->first; !pass && i != 1 && !n->count && c < n->first + 2; c++) {
@@ -124,7 +124,7 @@ static inline void draw_nested(const options *o)
     figure g = figure_begin(o, "14_bvh_nested.svg", 990, 390);
     shape ball[boxes_balls];
     scene s = {ball, boxes_balls};
-    bvh_shapes b;
+    bvh b;
     failure f;
     boxes_figure x = {.b = &b}, *context = &x;
     ray r = ray_from(vec(-0.4, 1.602, 0), vec(1, 0.12, 0));
@@ -132,9 +132,10 @@ static inline void draw_nested(const options *o)
     for (int i = 0; i < boxes_balls; i++)
         ball[i] = shape_of_sphere((sphere){vec(boxes_ball[i][0], boxes_ball[i][1], 0),
                                            (real)boxes_ball[i][2]});
-    if (!bvh_shapes_build(&s, (bvh_options){"median", 3, 1, SIZE_MAX}, &b, &f)) fail(f);
-    tree_search(&b.tree, r, box_ray_of, boxes_leaf, &context, false, &h, NULL);
-    box_ray q = box_ray_of(r, &b.tree.node[0].box, NULL);
+    items all = items_of_scene(&s);
+    if (!bvh_build(&all, (bvh_options){"median", 3, 1, SIZE_MAX}, &b, &f)) fail(f);
+    tree_search(&b.shapes, r, box_ray_of, boxes_leaf, &context, false, &h, NULL);
+    box_ray q = box_ray_of(r, &b.shapes.node[0].box, NULL);
     boxes_judge(&x, 0, &q, box_ray_limit(&q, h.t), true, 0);
     figure_origin(&g, 40, 356, 46);
     boxes_boxes(&g, &x);
@@ -159,7 +160,7 @@ static inline void draw_nested(const options *o)
     figure_origin(&g, 556, 62, 1);
     boxes_tree(&g, &x);
     figure_end(&g);
-    bvh_shapes_free(&b);
+    bvh_free(&b);
 }
 
 #endif
