@@ -243,6 +243,36 @@ static void test_state(void)
 
 static int go(const char *arguments) { return run("26_path_tracer", arguments); }
 
+/* A fin that stands on the floor, as the file of a world in which z, or y, points up. */
+static void write_fin(const char *name, bool z_up)
+{
+    static const int p[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, -1}, {0, 1, 2}, {1, 1, 0}};
+    FILE *to = fopen(in_directory(name), "w");
+    if (!to) abort();
+    for (int i = 0; i < 6; i++)
+        fprintf(to, "%s %d %d %d\n", i < 4 ? "v" : "vn", p[i][0], z_up ? -p[i][2] : p[i][1],
+                p[i][z_up ? 1 : 2]);
+    fprintf(to, "f 1//1 2//1 3//2\nf 2//1 4//2 3//1\n");
+    fclose(to);
+}
+
+/* --up z is the model turned; its states are no others' states. */
+static void test_up(void)
+{
+    write_fin("y.obj", false), write_fin("z.obj", true);
+    check_equal(go("@y.obj --size 24x18 --samples 4 --out @y.pfm"), 0, "y up");
+    check_equal(go("@z.obj --up z --size 24x18 --range 0:4 --save @z.state --out @z.pfm"), 0,
+                "z up");
+    check(equal_files("y.pfm", "z.pfm"), "the same picture");
+    check_equal(go("@z.obj --size 24x18 --samples 4 --out @p.pfm"), 0, "it lies");
+    check(!equal_files("z.pfm", "p.pfm"), "another picture");
+    check_equal(go("@z.obj --size 24x18 --samples 5 --resume @z.state --out @p.pfm"), 2,
+                "another way up");
+    check(printed("err", "'scene obj, z up', not 'scene obj'"), "and says which");
+    check_equal(go("@z.obj --up x --quick"), 2, "neither y nor z");
+    check_equal(go("--up z"), 2, "of no mesh");
+}
+
 static void test_program(void)
 {
 #define small "--size 24x18 --scene spheres "
@@ -455,7 +485,7 @@ int main(void)
     test_environment();
     test_error();
     if (go("--help") == 0) {  /* a pipe that no program opens would wait for ever */
-        test_program();
+        test_program(), test_up();
         test_pipes();
         test_pixel();
     } else check(false, "26_path_tracer: the program is not built (make)");

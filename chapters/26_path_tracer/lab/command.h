@@ -14,7 +14,7 @@
 enum { command_most_parts = 4096 };
 static const char command_name[] = "26_path_tracer_render.png";
 typedef struct {
-    const char *scene, *obj, *sky, *range, *merge;
+    const char *scene, *obj, *up, *sky, *range, *merge;
     double clamp;
     long_run run;
     const char *part[command_most_parts];
@@ -50,7 +50,7 @@ static inline int command_merge(int argc, char **argv, command *c)
 
 static inline bool command_given(const command *c, const options *o)
 {
-    return c->scene || c->obj || c->sky || c->range || c->merge || long_run_given(&c->run)
+    return c->scene || c->obj || c->up || c->sky || c->range || c->merge || long_run_given(&c->run)
         || c->clamp > 0 || o->samples > 0;
 }
 
@@ -61,9 +61,11 @@ static inline unsigned long long command_file(const command *c, const char *path
     return wanted ? long_run_hash(state_hash_start, path) : 0;
 }
 
+static inline bool command_z_up(const command *c) { return c->up && strcmp(c->up, "z") == 0; }
+
 static inline const char *command_of(const command *c)
 {
-    return c->obj ? "obj" : c->scene ? c->scene : "cornell";
+    return c->obj ? command_z_up(c) ? "obj, z up" : "obj" : c->scene ? c->scene : "cornell";
 }
 
 /* All that a sample depends on, but for its number and the size. */
@@ -78,7 +80,7 @@ static inline void command_settings(command *c, const options *o)
 static inline void command_scene(const command *c, real aspect, showcase *out)
 {
     failure f;
-    if (!(c->obj ? showcase_of_obj(c->obj, aspect, out, &f)
+    if (!(c->obj ? showcase_of_obj(c->obj, command_z_up(c), aspect, out, &f)
                  : showcase_of(command_of(c), aspect, out, &f))) fail(f);
     if (c->sky && out->has_sky) environment_free(&out->sky);
     if (c->sky && !environment_read(c->sky, &out->sky, &f)) fail(f);
@@ -137,9 +139,12 @@ static inline void command_check(const command *c, const options *o)
 {
     bool goal = o->samples > 0 || c->run.error > 0 || c->run.seconds > 0;
     if (c->scene && c->obj) die(2, "--scene and --mesh: one of them");
+    if (c->up && !c->obj) die(2, "--up is of a mesh: FILE.obj is missing");
+    if (c->up && !command_z_up(c) && strcmp(c->up, "y") != 0)
+        die(2, "bad value --up %.100s: allowed are y, z", c->up);
     if (c->range && (goal || c->run.resume))
         die(2, "--range does those samples alone: no --samples, --error, --time, --resume");
-    if (c->merge && (c->range || goal || c->run.resume || c->scene || c->obj || c->sky
+    if (c->merge && (c->range || goal || c->run.resume || c->scene || c->obj || c->up || c->sky
                      || c->clamp > 0))
         die(2, "--merge puts states together: it takes --save and --out only");
 }

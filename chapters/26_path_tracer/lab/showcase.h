@@ -132,14 +132,22 @@ static inline bool showcase_of(const char *name, real aspect, showcase *c, failu
     return true;
 }
 
+/* So that y points up where z did. */
+static inline void showcase_upright(vec3 *v, size_t n)
+{
+    for (size_t i = 0; i < n; i++) v[i] = (vec3){v[i].x, v[i].z, -v[i].y};
+}
+
 /* From the front, a little from above: the nearest eye that sees all of it, with a margin. */
-static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, failure *f)
+static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, showcase *c,
+                                   failure *f)
 {
     mesh m;
     vec3 lo, hi, grey = {0.72, 0.7, 0.66}, from = vunit(vec(0.45, 0.4, 1));
     camera_frame frame;
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
+    if (z_up) showcase_upright(m.v, m.vertices), showcase_upright(m.n, m.normals);
     bool some = mesh_bounds(&m, &lo, &hi);
     vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
     real r = vlength(half), fov = 30, margin = (real)0.88;
