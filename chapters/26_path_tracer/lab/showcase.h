@@ -2,7 +2,7 @@
  *
  *   showcase c;
  *   if (!showcase_of("cornell", aspect, &c, &f)) fail(f);    aspect: width / height
- *   if (!showcase_of_obj(path, aspect, &c, &f)) fail(f);     any OBJ, y up, framed automatically
+ *   if (!showcase_of_obj(path, z_up, aspect, &c, &f)) fail(f);     any OBJ, framed automatically
  *   showcase_free(&c)
  *
  *   cornell   the box of 21, matte, one light                       38 triangles
