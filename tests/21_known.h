@@ -57,6 +57,26 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* The share of (21.4) above the surface, c = n.r. With z = r.w and x the axis of the lobe in the
+ * plane of n and r: n.w = c z + sin cos(phi) sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c /
+ * (sqrt(1 - z^2) sin): a share acos(-edge) / pi of the circle. All of it (c > 0) or nothing (c < 0)
+ * where z > sin. The mean of that over y = z^(s+1), which is uniform: midpoints up to y* =
+ * sin^(s+1), denser near both ends, where the arc cosine is steep. Right to 1e-7.         (21.6) */
+static inline double glossy_above(double c, double shine)
+{
+    enum { steps = 2000 };
+    double sine = sqrt((1 - c) * (1 + c)), sum = 0;
+    if (isinf(shine) || sine == 0) return c > 0;
+    double log_y = (shine + 1) * log(sine), beyond = c > 0 ? -expm1(log_y) : 0;
+    for (int i = 0; i < steps; i++) {
+        double x = (i + 0.5) / steps, dy = 6 * x * (1 - x) / steps;
+        double l = (log_y + log(x * x * (3 - 2 * x))) / (shine + 1), z = exp(l);
+        double edge = z * c / (sqrt(-expm1(2 * l)) * sine);
+        sum += dy * acos(edge < -1 ? 1 : edge > 1 ? -1 : -edge);
+    }
+    return beyond + exp(log_y) * sum / 3.14159265358979323846;
+}
+
 /* Form factor from a point to a rectangle a x b that is parallel at distance 1, one corner right
  * above the point; odd in a and in b, so that rectangles elsewhere are sums of four. */
 static inline double known_corner(double a, double b)

@@ -138,7 +138,7 @@ static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
 {
     emitter_point y;
     if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
-    if (lit_occluded(s, leave_between(x->s, y.s))) return 0;
+    if (lit_occluded_from(s, leave_between(x->s, y.s), no_shape, lit_dark)) return 0;
     real fcos = brdf_value(&x->m->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
     return (double)(fcos * s->emitter[0].Le.y / y.pdf);
 }

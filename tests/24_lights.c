@@ -32,7 +32,7 @@ static void test_trace(const lit_scene *s, double size, const char *name)
         lit_hit h;
         bool ma = mesh_hit(&s->m, r, &a), mb = scene_hit(&shapes, r, &b);
         bool of_mesh = ma && (!mb || a.t <= b.t), met = lit_trace(s, r, &h);
-        wrong += met != (ma || mb) || lit_occluded(s, r) != met;
+        wrong += met != (ma || mb) || lit_occluded_from(s, r, no_shape, lit_dark) != met;
         if (!met || !(ma || mb)) continue;
         hits++;
         surface x = of_mesh ? surface_of_mesh(&s->m, a)
@@ -138,7 +138,7 @@ static void test_scenes(void)
     lit_hit h;
     const ray along_x = ray_from(vec(0, 0, 0), vec(1, 0, 0));
     check(!lit_trace(&none, along_x, &h), "an empty scene is never hit");
-    check(!lit_occluded(&none, along_x), "nor does it occlude");
+    check(!lit_occluded_from(&none, along_x, no_shape, lit_dark), "nor does it occlude");
     lit_free(&none), lit_free(&none), lit_free(&box), lit_free(&all);
 }
 
@@ -391,7 +391,7 @@ static void test_leaving(void)
                 ray b = leave_between(h.s, e.s);
                 bool dark = items_occluded(&all, b);
                 shadows += dark;
-                different += dark != lit_occluded(&s, b)
+                different += dark != lit_occluded_from(&s, b, no_shape, lit_dark)
                     || dark != lit_occluded_from(&s, b, h.s.shape, 0);
             }
             r = leave(h.s, directed(h.s.n, sample_cosine(u.u, u.v)));

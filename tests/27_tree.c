@@ -62,6 +62,11 @@ static void random_studio(studio *s, int kinds)
     if (!studio_finish(s, &f)) abort();
 }
 
+static bool occluded(const studio_tree *t, ray r)
+{
+    return studio_tree_occluded_but(t, &r, studio_but_none);
+}
+
 /* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the
  * rest. */
 static bool brute_hit(const studio *s, ray r, studio_hit *out)
@@ -107,7 +112,7 @@ static void test_hits(void)
             wrong += met != should || x.h.t != y.h.t || x.h.shape != y.h.shape
                 || x.place != y.place;
             if (i % 2) r.tmax = 2 * random_next(&rng);
-            seen += studio_tree_occluded(&t, r) != brute_hit(&s, r, &y);
+            seen += occluded(&t, r) != brute_hit(&s, r, &y);
             if (!met) continue;
             hits++;
             uint32_t m = studio_hit_material(&t, x);
@@ -201,7 +206,7 @@ static void test_leaving(void)
             if (vdot(w, q.n) < 0) w = vneg(w);
             if (vdot(w, q.n) < (real)1e-3) continue;
             met++;
-            back += studio_tree_occluded(&t, leave(q, w));
+            back += occluded(&t, leave(q, w));
         }
         check_equal(back, 0, "at 1e%d: rays that leave an instance do not meet it again", power);
         check_at_least(met, rays / 2, "at 1e%d: rays", power);
@@ -271,7 +276,7 @@ static void test_solids(void)
             bool met = studio_tree_hit(&t, r, &h);
             missed += solid_on_way(in, r, met ? h.h.t : 6, true);
             r.tmax = 6 * random_next(&rng);
-            differ += studio_tree_occluded(&t, r) != (met && h.h.t <= r.tmax);
+            differ += occluded(&t, r) != (met && h.h.t <= r.tmax);
             if (!met) continue;
             hits++;
             surface a = studio_surface(&t, r, h);
@@ -503,7 +508,7 @@ static void leave_out(const effects_stage *e, ray r, left_out *n)
     if (!lamps_sample(&e->lamp, h.s.p, h.s.n, u, &lamp)) return;
     ray shadow = lit_draw_ray(&h.s, &lamp);
     but = gather_but(&h, RAY_TO_LAMP, &lamp, shadow);
-    n->wrong += studio_tree_occluded(&e->t, shadow)
+    n->wrong += occluded(&e->t, shadow)
         != studio_tree_occluded_but(&e->t, &shadow, but);
     n->to += but.to.index != no_shape;
 }

@@ -10,7 +10,6 @@
  *   if (glossy_ray(s, d, shine, u, &r)) .. ks * what r meets     s faces d; d: any length
  *       false: w leads below the surface; it sees nothing, and no ray is called for
  *   glossy_ray_naive(s, d, shine, u, &r)                         sends that ray into the body
- *   real glossy_above(c, shine)                                  share of (21.4) above, c = n.r
  *
  * shine s >= 0 [1]: 0 is any direction on the side of r, 10 satin, 1000 nearly a mirror. Infinity
  * is a mirror: w = r, and u is not looked at. Half of the rays lie within acos(2^(-1/(s+1))) of r.
@@ -67,26 +66,6 @@ static inline bool glossy_ray(surface s, vec3 d, real shine, point2 u, ray *out)
     if (!isinf(shine) && !(vdot(w, s.ns) > 0)) return false;
     *out = leave(s, w);
     return true;
-}
-
-/* With z = r.w and x the axis of the lobe in the plane of n and r: n.w = c z + sin cos(phi)
- * sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c / (sqrt(1 - z^2) sin): a share acos(-edge) /
- * pi of the circle. All of it (c > 0) or nothing (c < 0) where z > sin. The mean of that over y =
- * z^(s+1), which is uniform: midpoints up to y* = sin^(s+1), denser near both ends, where the arc
- * cosine is steep. Right to 1e-7.                                                         (21.6) */
-static inline double glossy_above(double c, double shine)
-{
-    enum { steps = 2000 };
-    double sine = sqrt((1 - c) * (1 + c)), sum = 0;
-    if (isinf(shine) || sine == 0) return c > 0;
-    double log_y = (shine + 1) * log(sine), beyond = c > 0 ? -expm1(log_y) : 0;
-    for (int i = 0; i < steps; i++) {
-        double x = (i + 0.5) / steps, dy = 6 * x * (1 - x) / steps;
-        double l = (log_y + log(x * x * (3 - 2 * x))) / (shine + 1), z = exp(l);
-        double edge = z * c / (sqrt(-expm1(2 * l)) * sine);
-        sum += dy * acos(edge < -1 ? 1 : edge > 1 ? -1 : -edge);
-    }
-    return beyond + exp(log_y) * sum / 3.14159265358979323846;
 }
 
 #endif

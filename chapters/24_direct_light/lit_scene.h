@@ -9,10 +9,9 @@
  *   lit_free(&s);                                          a zeroed one may be freed
  *
  *   lit_trace(&s, r, &h)      what r meets first; h.s is 18's surface, turned to where r comes from
- *   lit_occluded(&s, r)       is there anything?
- *   lit_trace_from(&s, r, i, &h), lit_occluded_from(&s, r, i, e)   the same answers, sooner, for
- *                             rays that 18's leave or leave_between made: from triangle i
- *                             [no_shape: none], to emitter e [lit_dark: none]
+ *   lit_occluded_from(&s, r, i, e)    is there anything? Sooner for rays that 18's leave or
+ *                             leave_between made: from triangle i [no_shape: none], to emitter e
+ *                             [lit_dark: none]; so is lit_trace_from(&s, r, i, &h)
  *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
@@ -286,11 +285,6 @@ static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, u
     skip.from = from;
     return bvh8_occluded_but(&s->trees->of_mesh, r, skip)
         || (s->shapes && bvh8_occluded(&s->trees->of_shapes, r));
-}
-
-static inline bool lit_occluded(const lit_scene *s, ray r)
-{
-    return lit_occluded_from(s, r, no_shape, lit_dark);
 }
 
 static inline vec3 lit_emitted(const lit_hit *h)

@@ -4,9 +4,8 @@
  *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
- *   bool studio_tree_occluded(&t, r)          any
- *   studio_tree_hit_but(&t, &r, but, &x), studio_tree_occluded_but(&t, &r, but)    the same
- *                                             answers, sooner: r is known not to meet two faces,
+ *   bool studio_tree_occluded_but(&t, &r, but), studio_tree_hit_but(&t, &r, but, &x)    any; the
+ *                                             closest, sooner: r is known not to meet two faces,
  *                                             the one that it left and that of the lamp at its end;
  *                                             r ends at its hit then, as in 18
  *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
@@ -168,11 +167,6 @@ effects_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r,
 static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 {
     return studio_tree_hit_but(t, &r, studio_but_none, out);
-}
-
-static inline bool studio_tree_occluded(const studio_tree *t, ray r)
-{
-    return studio_tree_occluded_but(t, &r, studio_but_none);
 }
 
 /* Of moved meshes and solids none is left out: their places have no tree that asks. */
