@@ -74,14 +74,6 @@ static inline uint32_t kd_lower(kd_node n) { return n.bits >> 4 << 1; }
 static inline bool kd_full(kd_node n, size_t child) { return n.bits >> (2 + child) & 1; }
 static inline uint32_t kd_count(kd_node n) { return n.bits >> 2; }
 
-
-/* A float > x by at least the error of the last operation that made x. Below all floats a NaN. */
-static inline float kd_beyond(real x)
-{
-    float f = (float)x;
-    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
-}
-
 /* Half the surface. 0 if the box is empty. */
 static inline double kd_area(const kd_box *b)
 {
@@ -117,7 +109,7 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
 {
     real x = t * q->unit * q->scale + q->slack;
     float f = (float)x;
-    return (real)f >= x ? f : kd_beyond(x);
+    return (real)f >= x ? f : float_beyond(x);
 }
 
 /* Also the part of the ray in the box, as in 09, with near and far planes seen from two origins.
@@ -140,8 +132,8 @@ static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, in
     float enter = -kd_ray_limit(q, -r.tmin), exit = kd_ray_limit(q, r.tmax);
     for (int k = 0; k < 3; k++) {
         float i = (float)(q->unit / vaxis(r.d, k));
-        float up = pads ? kd_beyond(vaxis(o, k) + delta) : (float)vaxis(o, k);
-        float down = pads ? -kd_beyond(delta - vaxis(o, k)) : up;
+        float up = pads ? float_beyond(vaxis(o, k) + delta) : (float)vaxis(o, k);
+        float down = pads ? -float_beyond(delta - vaxis(o, k)) : up;
         float o_near = i < 0 ? down : up, o_far = i < 0 ? up : down;
         enter = float_max(((i < 0 ? box->hi[k] : box->lo[k]) - o_near) * i, enter);
         exit = float_min(((i < 0 ? box->lo[k] : box->hi[k]) - o_far) * i, exit);

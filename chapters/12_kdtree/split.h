@@ -53,15 +53,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The float of a float_key (09). */
-static inline float kd_unkey(uint32_t key)
-{
-    float x;
-    key = key & 0x80000000u ? key & 0x7fffffffu : ~key;
-    memcpy(&x, &key, sizeof x);
-    return x;
-}
-
 static inline int kd_longest(const kd_box *b)
 {
     float x = b->hi[0] - b->lo[0], y = b->hi[1] - b->lo[1], z = b->hi[2] - b->lo[2];
@@ -88,7 +79,7 @@ static inline kd_choice kd_median(kd_splitter *s, const kd_item *item, size_t n,
     for (size_t i = 0; i < n; i++)
         s->begin[i] = float_key(0.5f * item[i].box.lo[k] + 0.5f * item[i].box.hi[k]);
     radix_sort_keys(s->begin, s->spare, n);
-    float p = kd_unkey(s->begin[n / 2]);
+    float p = float_of_key(s->begin[n / 2]);
     return kd_cuts(cell, k, p) ? (kd_choice){0, k, p} : kd_middle(cell);
 }
 
@@ -128,7 +119,7 @@ static inline void kd_sweep_axis(kd_splitter *s, const kd_item *item, size_t n,
     radix_sort_keys(s->begin, s->spare, n), radix_sort_keys(s->end, s->spare, n);
     for (size_t i = 0, j = 0; j < n; ) {
         uint32_t key = i < n && s->begin[i] < s->end[j] ? s->begin[i] : s->end[j];
-        float p = kd_unkey(key);
+        float p = float_of_key(key);
         while (j < n && s->end[j] == key) j++;
         kd_weigh(s, &f, area, k, p, i, n - j, best);
         while (i < n && s->begin[i] == key) i++;

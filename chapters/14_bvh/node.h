@@ -63,14 +63,6 @@ _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. Below all
- * floats it is a NaN, and then the comparisons leave the plane out. */
-static inline float float_beyond(real x)
-{
-    float f = (float)x;
-    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
-}
-
 static inline bvh_box box_empty(void)
 {
     return (bvh_box){{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}};

@@ -2,8 +2,10 @@
  * rounding); and floats as whole numbers in the same order.
  *
  *   float_below(x)   the largest float <= x         float_above(x)   the smallest float >= x
+ *   float_beyond(x)  some float > x, for an x that was rounded itself
  *   float_min(a, b), float_max(a, b)   b if one of them is NaN
  *   float_key(x)     a uint32_t: float_key(a) < float_key(b) exactly if a < b; -0 counts as 0
+ *   float_of_key(k)  the float whose key k is
  *
  * A tree may keep its boxes in float, half the memory of double, if what was in the box still is:
  * its low sides are rounded down, its high sides up. Rounded to the nearest, 1 - 2^-30 would become
@@ -45,6 +47,14 @@ static inline float float_below(real x)
 
 static inline float float_above(real x) { return -float_below(-x); }
 
+/* By at least the error of the last operation that made x: x + |x| 2^-24. Below all floats it is a
+ * NaN, which loses every comparison. */
+static inline float float_beyond(real x)
+{
+    float f = (float)x;
+    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
+
 static inline float float_min(float a, float b) { return a < b ? a : b; }
 static inline float float_max(float a, float b) { return a > b ? a : b; }
 
@@ -56,6 +66,14 @@ static inline uint32_t float_key(float x)
     x += 0.0f;  /* -0 becomes 0 */
     memcpy(&bits, &x, sizeof bits);
     return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+static inline float float_of_key(uint32_t key)
+{
+    float x;
+    key = key & 0x80000000u ? key & 0x7fffffffu : ~key;
+    memcpy(&x, &key, sizeof x);
+    return x;
 }
 
 #endif
