@@ -4,7 +4,6 @@
 #include "../chapters/07_mesh/files/obj.h"
 #include "../chapters/07_mesh/lab/trials.h"
 
-static char directory[] = "/tmp/07_first_XXXXXX";
 #include "program.h"
 
 static const double eps = (double)real_epsilon;

@@ -15,8 +15,8 @@ int main(void)
     structure full = {"octree", STRUCTURE_OF(octree)};
     /* A cut may triple the items, but only where triangles are as large as cells: a few levels of
      * the twelve. 16 a triangle is no proof; 15.3 were met, of triangles 2^-60 to 1 long. */
-    first_structure s = {"first octree", FIRST_VERBS(first_octree), items_of, depth_of, 16,
-                         most_depth};
+    first_structure s = {"first octree", FIRST_VERBS(first_octree), first_octree_items_of,
+                         first_octree_depth_of, 16, most_depth};
     first_structure_tests(&s, &full);
     return check_report("11_first");
 }

@@ -12,8 +12,8 @@ static double most_depth(double log_n) { return 8 + 1.3 * log_n; }
 int main(void)
 {
     structure full = {"k-d tree", STRUCTURE_OF(kdtree)};
-    first_structure s = {"first k-d tree", FIRST_VERBS(first_kdtree), items_of, depth_of, 32,
-                         most_depth};
+    first_structure s = {"first k-d tree", FIRST_VERBS(first_kdtree), first_kdtree_items_of,
+                         first_kdtree_depth_of, 32, most_depth};
     first_structure_tests(&s, &full);
     return check_report("12_first");
 }

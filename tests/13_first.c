@@ -12,8 +12,8 @@ static double most_depth(double log_n) { return 4 + log_n; }
 int main(void)
 {
     structure full = {"BSP tree", STRUCTURE_OF(bsp)};
-    first_structure s = {"first BSP tree", FIRST_VERBS(first_bsp), items_of, depth_of, 128,
-                         most_depth};
+    first_structure s = {"first BSP tree", FIRST_VERBS(first_bsp), first_bsp_items_of,
+                         first_bsp_depth_of, 128, most_depth};
     first_structure_tests(&s, &full);
     return check_report("13_first");
 }

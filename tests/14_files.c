@@ -2,7 +2,6 @@
 #include "../chapters/07_mesh/files/ray_file.h"
 #include "check.h"
 
-static char directory[] = "/tmp/14_files_XXXXXX";
 #include "program.h"
 
 /* 1, 2, -3, 0.5, 0, 0, 1, infinity as the standard writes them down, byte by byte. */

@@ -9,7 +9,6 @@
 #include "../chapters/06_csg/lab/csg_oracle.h"
 #include "structure.h"
 
-static char directory[] = "/tmp/17_compare_XXXXXX";
 #include "program.h"
 
 /* What f wrote so far; for free. */

@@ -5,7 +5,7 @@
 #include "../chapters/18_shade/first.h"
 #include "../chapters/18_shade/shade.h"
 
-static const double eps = (double)real_epsilon;
+static const double ulp = (double)real_epsilon;
 static const vec3 sky = {(real)0.25, (real)0.4, (real)0.7}, ambient = {(real)0.1, (real)0.2, 1};
 enum { balls = 5, shapes = balls + 2 };
 
@@ -119,7 +119,7 @@ static void test_easy(void)
     check_at_least(asked, n / 2, "rays away from edges, of %zu", n);
     for (int k = 0; k < 3; k++)
         check_at_least(lit[k], asked / 100, "see sky, balls, floor: %d", k);
-    check_at_most(worst, 5e4 * eps, "radiance of first_trace against shade.h's");
+    check_at_most(worst, 5e4 * ulp, "radiance of first_trace against shade.h's");
     world_part_free(&x.part);
 }
 
@@ -127,9 +127,9 @@ static void test_easy(void)
 static void test_closed_forms(void)
 {
     first_scene s = {.above = vec(1, 2, 3), .below = vec(3, 2, 1), .eps = (real)1e-4};
-    check(apart(first_background(&s, vec(0, 7, 0)), s.above) <= 4 * eps, "overhead");
-    check(apart(first_background(&s, vec(0, -7, 0)), s.below) <= 4 * eps, "underfoot");
-    check(apart(first_background(&s, vec(7, 0, 0)), vec(2, 2, 2)) <= 4 * eps, "half of both");
+    check(apart(first_background(&s, vec(0, 7, 0)), s.above) <= 4 * ulp, "overhead");
+    check(apart(first_background(&s, vec(0, -7, 0)), s.below) <= 4 * ulp, "underfoot");
+    check(apart(first_background(&s, vec(7, 0, 0)), vec(2, 2, 2)) <= 4 * ulp, "half of both");
     first_add_flat(&s, vec(0, 0, 0), vec(0, 0, 8), vec(8, 0, 0),
                    (first_material){.kd = vec(1, 1, 1), .checks = 8});
     first_add_ball(&s, vec(0, 99, 0), 2, (first_material){.kd = vec(1, 1, 1)});
@@ -141,7 +141,7 @@ static void test_closed_forms(void)
             bool met = first_scene_hit(&s, r, &h);
             first_point at = first_point_at(&s, r, h);
             double kd = (i + i / 8) % 2 ? 0.15 : 1;
-            wrong += !met || h.shape != 0 || fabs((double)at.kd.x - kd) > eps || at.n.y != (real)k
+            wrong += !met || h.shape != 0 || fabs((double)at.kd.x - kd) > ulp || at.n.y != (real)k
                      || at.v.y != (real)k || at.inside != (k < 0);
         }
     check_equal(wrong, 0, "64 squares from both sides: colour, and which side is seen");
@@ -233,7 +233,7 @@ static void test_degenerate(void)
     ray r = ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1});
     real bad = (real)NAN;
     hit h;
-    check(apart(first_trace(&s, r), sky) <= eps && !first_occluded(&s, r), "an empty scene: sky");
+    check(apart(first_trace(&s, r), sky) <= ulp && !first_occluded(&s, r), "an empty scene: sky");
     first_add_flat(&s, vec(0, 0, 0), vec(1, 1, 0), vec(2, 2, 0), grey);
     first_add_flat(&s, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0), grey);
     first_add_ball(&s, (vec3){bad, 0, 0}, 1, grey), first_add_ball(&s, vec(0, 0, 0), bad, grey);

@@ -5,7 +5,7 @@
 #include "../common/random.h"
 #include "../chapters/19_whitted/lab/first_world.h"
 
-static const double eps = (double)real_epsilon;
+static const double ulp = (double)real_epsilon;
 
 static double apart(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
 
@@ -35,9 +35,9 @@ static void test_laws(void)
     }
     check_equal(wrong, 0, "through or not, of %zu", bends + total);
     check_at_least(bends, n / 3, "are refracted"), check_at_least(total, n / 10, "are not");
-    check_at_most(mirror, 8 * eps, "first_reflect against reflect");
-    check_at_most(bend, 256 * eps, "first_refract against snell_refract");
-    check_at_most(share, 512 * eps, "first_fresnel against fresnel");
+    check_at_most(mirror, 8 * ulp, "first_reflect against reflect");
+    check_at_most(bend, 256 * ulp, "first_refract against snell_refract");
+    check_at_most(share, 512 * ulp, "first_fresnel against fresnel");
 }
 
 /* Somewhere about r, whitted.h sees something else. */
@@ -73,7 +73,7 @@ static void test_two_balls(void)
             if (near_edge(x, r, L)) continue;
             double off = apart(L, first_whitted(&s, r, depth)) / (1 + (double)vlength(L));
             asked++;
-            if (off > 5e4 * eps && off < 1e-3) leaks++;
+            if (off > 5e4 * ulp && off < 1e-3) leaks++;
             else worst = check_worse(worst, off);
             seen[first_scene_hit(&s, r, &h) ? h.shape : 5]++;
         }
@@ -81,7 +81,7 @@ static void test_two_balls(void)
         for (int k = 0; k < 6; k++)  /* of 3 a sliver shows, one ray in 900 */
             if (k != 3) check_at_least(seen[k], asked / 200, "see thing %d", k);
         check_at_most(leaks, asked / 5000 + 1, "are off by less than 1e-3, of %zu", asked);
-        check_at_most(worst, 5e4 * eps, "first_whitted against whitted_ray, depth %d", depth);
+        check_at_most(worst, 5e4 * ulp, "first_whitted against whitted_ray, depth %d", depth);
         first_world_free(x);
     }
 }
@@ -126,7 +126,7 @@ static void test_nearly_equal(void)
 {
     double grazing = 0;
     for (real delta = (real)0.1; delta > 4 * real_epsilon; delta /= 10) {
-        double off = fresnel_off(delta), due = eps / (double)delta;
+        double off = fresnel_off(delta), due = ulp / (double)delta;
         check(off < 4 * due && off > due / 8, "delta %g: off by %g", (double)delta, off);
     }
     for (int i = 1; i <= 1000; i++) {
@@ -138,7 +138,7 @@ static void test_nearly_equal(void)
         real R = through ? first_fresnel(c, -vdot(w, N), 1, n2) : 1;
         grazing = check_worse(grazing, fabs((double)(R - fresnel(&x))));
     }
-    check_at_least(grazing, 0.02, "n2 = 1 + epsilon, cosines of sqrt(epsilon)");
+    check_at_least(grazing, 0.02, "n2 = 1 + ulp, cosines of sqrt(ulp)");
 }
 
 /* A slab of glass on a slab of water, whose faces at z = -1 are one; `gap` of air between them. The
@@ -172,7 +172,7 @@ static double slabs(real gap, double *first, double *full)
 static void test_touching(void)
 {
     double first, full;
-    check_at_most(slabs((real)0.1, &first, &full), 64 * eps, "air between: what whitted.h says");
+    check_at_most(slabs((real)0.1, &first, &full), 64 * ulp, "air between: what whitted.h says");
     slabs(0, &first, &full);
     check_at_least(first / full, 1.15, "glass on water: %g comes through, %g should", first, full);
 }

@@ -1,6 +1,5 @@
 /* 19_pixel: what `19_whitted --pixel` says, read as numbers: weights times what is found add up to
  * the pixel that the picture has, and shares to 1. */
-static char directory[] = "/tmp/19_pixel_XXXXXX";
 #include "check.h"
 #include "program.h"
 #include "../common/image.h"

@@ -1,6 +1,5 @@
 /* 19_spd: rays counted by the protocol, against counts by brute force and against reason; the
  * program from outside. */
-static char directory[] = "/tmp/19_spd_XXXXXX";
 #include "check.h"
 #include "program.h"
 #include "../chapters/19_whitted/lab/spd_protocol.h"

@@ -39,7 +39,7 @@ static int rays_seen_add(whitted_log *log, ray_kind kind, int from, int depth, r
     return x->n++;
 }
 
-static vec3 look(tracer *t, ray r, media_set in, rays_seen *x)
+static vec3 looked(tracer *t, ray r, media_set in, rays_seen *x)
 {
     const whitted *w = t->user;
     whitted watched = *w;
@@ -51,7 +51,7 @@ static vec3 look(tracer *t, ray r, media_set in, rays_seen *x)
 }
 
 /* The ray that goes on straight through: the refractions, one after another. */
-static int through(const rays_seen *x, int refractions)
+static int passed(const rays_seen *x, int refractions)
 {
     int k = 0;
     for (int i = 1; i < x->n && refractions > 0; i++)
@@ -126,8 +126,8 @@ static void test_ball(void)
         ray r = ray_between(vmadd(b.c, vunit(from), 4 * R), vmadd(b.c, at, R));
         r.tmax = real_infinity;
         wide_ray exact = wide_through_ball(b, r, s.media[1].ior);
-        look(&t, r, (media_set){0}, &x);
-        int last = through(&x, 2), in = through(&x, 1);
+        looked(&t, r, (media_set){0}, &x);
+        int last = passed(&x, 2), in = passed(&x, 1);
         stage_end(&s);
         if (last < 0) continue;
         seen++;
@@ -341,8 +341,8 @@ static void test_touching(void)
                 s.w.apart = apart;
                 tracer t = stage_begin(&s, 8);
                 vec3 eye = {T + (real)0.5, T + (real)0.25, T + 5};
-                look(&t, ray_from(eye, (vec3){0, 0, -1}), (media_set){0}, &x);
-                int last = through(&x, 4);
+                looked(&t, ray_from(eye, (vec3){0, 0, -1}), (media_set){0}, &x);
+                int last = passed(&x, 4);
                 double got = last < 0 ? 0 : (double)x.ray[last].weight.x;
                 bool out = last > 0 && !(x.ray[last].t < real_infinity);
                 if (apart) naive = fmax(naive, fabs(got - expected));
@@ -382,7 +382,7 @@ static void test_nested(void)
                           whitted_clear(j + 1, 1));
             }
             tracer t = stage_begin(&s, 9);
-            look(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), (media_set){0}, &x);
+            looked(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), (media_set){0}, &x);
             double ag = kept(a, g), gw = kept(g, w), wv = kept(w, v);
             double T1 = ag * gw * wv * wv * gw * ag;
             int faces = 6;
@@ -390,7 +390,7 @@ static void test_nested(void)
                 T1 = pow(ag * kept(g, v), 2), faces = 4;
             if (k == 1)  /* air | water | air | water | glass | air: one interface at the top */
                 T1 = kept(a, w) * wv * wv * gw * ag, faces = 5;
-            int last = through(&x, faces);
+            int last = passed(&x, faces);
             check(last > 0 && !(x.ray[last].t < real_infinity), "case %d, T = %g: out", k,
                   (double)T);
             if (last > 0)
@@ -429,8 +429,8 @@ static void test_on_table(void)
         stage_add(&s, shape_of_sphere((sphere){{0, 0, 1}, 1.5}), whitted_clear(1, 1));
         stage_add(&s, shape_of_sphere((sphere){{0, 0, -1}, 1.5}), whitted_clear(2, 1));
         tracer t = stage_begin(&s, 8);
-        look(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), (media_set){0}, &x);
-        int last = through(&x, 4);  /* four faces, one of which is passed */
+        looked(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), (media_set){0}, &x);
+        int last = passed(&x, 4);  /* four faces, one of which is passed */
         check(last > 0 && x.ray[last].depth == 4, "three interfaces, not four");
         /* faces at z = 2.5, 0.5, -0.5, -2.5 */
         double in1 = p < 0 ? 3 : 2, in2 = p < 0 ? 2 : 3;

@@ -1,13 +1,11 @@
 /* 21_distributed: pictures: Whitted's is the special case without any extent; no ray and no random
  * number but what is called for; all effects at once against a sum of closed forms; the Cornell
  * box; the program from outside. */
-#define _DEFAULT_SOURCE 1
 #include "check.h"
 #include "../chapters/21_distributed/lab/box.h"
 #include "21_known.h"
 #include "../chapters/21_distributed/lab/showroom.h"
 
-static char directory[] = "/tmp/distributed_XXXXXX";
 #include "program.h"
 
 enum { w = 40, h = 30 };

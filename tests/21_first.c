@@ -8,7 +8,7 @@
 #include "check.h"
 
 #define alarm 1e-8
-static const double eps = (double)real_epsilon;
+static const double ulp = (double)real_epsilon;
 static const vec3 up = {0, 0, 1}, zero = {0, 0, 0};
 
 /* ---- three questions of 21_known.h, asked of first.h ---- */
@@ -79,7 +79,7 @@ static void test_lamp(void)
     }
     check_at_least((double)lit, 0.2 * (double)n, "lamps that shine on the point");
     check_equal(differ, 0, "lit or not, against area_light_reaches, of %zu", n);
-    check_at_most(worst, 32 * eps, "E against area_light_reaches");
+    check_at_most(worst, 32 * ulp, "E against area_light_reaches");
 }
 
 static void test_known(void)
@@ -93,7 +93,7 @@ static void test_known(void)
         random_stream random = random_start(2, 0, 0);
         for (size_t j = 0; j < check_count(200000); j++)
             e = estimate_add(e, known_first_sample(&first, &random));
-        double p = t_test(e, full.truth, 2.0 / known_far + 16 * eps);
+        double p = t_test(e, full.truth, 2.0 / known_far + 16 * ulp);
         check_at_least(p, alarm, "%s", full.name);
         known_free(&full);
     }
@@ -117,8 +117,8 @@ static void test_lobe(void)
             worst = check_worse(worst, (double)vlength(vsub(w, due)) * (sine < 1 ? sine : 1));
             length = check_worse(length, fabs((double)vlength(w) - 1));
         }
-    check_at_most(worst, 64 * eps, "against glossy.h's directions, times the sine");
-    check_at_most(length, 8 * eps, "unit length");
+    check_at_most(worst, 64 * ulp, "against glossy.h's directions, times the sine");
+    check_at_most(length, 8 * ulp, "unit length");
 }
 
 /* ---- the path ---- */
@@ -187,7 +187,7 @@ static void test_lost(void)
             real u = random_next(&copy), v = random_next(&copy);
             full = estimate_add(full, glossy_ray(floor, r.d, (real)shine, (point2){u, v}, &sent));
         }
-        double due = glossy_above(c, shine), rare = 1e-6 + 20 / (double)n + 64 * eps;
+        double due = glossy_above(c, shine), rare = 1e-6 + 20 / (double)n + 64 * ulp;
         check_at_least(t_test(e, due, rare), alarm, "share above, cos %g, s = %g", c, shine);
         check_close(e.mean, full.mean, rare, "as glossy.h has it");
         if (c < 0.05) check_at_most(e.mean, 0.6, "half of it is lost");
@@ -216,7 +216,7 @@ static void test_near(void)
             best = fmax(best, (double)(vunit(y).z * k.omega));
         }
         check_at_least(most, 2 / (h * h), "the largest sample, h = %g", h);
-        check_at_most(most, 4 / (h * h) * (1 + 16 * eps), "and its bound");
+        check_at_most(most, 4 / (h * h) * (1 + 16 * ulp), "and its bound");
         check_at_most(best, 2 * (double)pi, "by solid angle");
     }
 }

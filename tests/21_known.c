@@ -528,18 +528,18 @@ static void test_leaves(void)
     check_equal(leaks, 0, "rays that miss what nearly touches the ball");
 }
 
-enum { w = 32, h = 18 };
+enum { columns = 32, rows = 18 };
 
 /* Balls that could move and do not: the same as in the world that rests, to the last bit; and a
  * world where nothing moves asks for no time. */
 static void test_at_rest(void)
 {
     pool *still = pool_new(0);
-    image a = image_new(w, h), b = image_new(w, h);
-    distributed_view v = pool_view(still, (real)w / h);
+    image a = image_new(columns, rows), b = image_new(columns, rows);
+    distributed_view v = pool_view(still, (real)columns / rows);
     v.samples = 4;
     distributed_draw(&v, &a, 2);
-    check_equal(v.spent.drawn[DRAWN_TIME], 4 * w * h, "a time a sample, not a ray");
+    check_equal(v.spent.drawn[DRAWN_TIME], 4 * columns * rows, "a time a sample, not a ray");
     size_t shadow = v.spent.rays.rays[RAY_SHADOW];
     scene all = {still->ball, pool_balls};
     world_part_free(&still->part[1]), world_part_of_scene(&all, MASK_ALL, &still->part[1]);
@@ -547,7 +547,7 @@ static void test_at_rest(void)
     distributed_draw(&v, &b, 1);
     check_equal(v.spent.drawn[DRAWN_TIME], 0, "nothing moves, no number");
     check_equal(v.spent.rays.rays[RAY_SHADOW], shadow, "and no ray more or less");
-    check_equal(memcmp(a.rgb, b.rgb, 3 * sizeof *a.rgb * w * h), 0, "the same picture");
+    check_equal(memcmp(a.rgb, b.rgb, 3 * sizeof *a.rgb * columns * rows), 0, "the same picture");
     image_free(&a), image_free(&b), pool_free(still);
 }
 
@@ -558,7 +558,7 @@ static void test_one_time(void)
     size_t other = 0, n = check_count(800), moved = 0;
     pool *g = pool_new(1);
     g->how.material_of = plain;
-    distributed_view v = pool_view(g, (real)w / h);
+    distributed_view v = pool_view(g, (real)columns / rows);
     distributor d = distributor_of(&g->w, &g->how);
     for (size_t i = 0; i < n; i++) {
         distributed_sample q = {SEQUENCE_RANDOM, 9, i, 0, 1};
@@ -573,7 +573,8 @@ static void test_one_time(void)
         still->how.material_of = plain;
         distributor e = distributor_of(&still->w, &still->how);
         size_t before = d.t.counts.rays[RAY_REFLECTION];
-        ray r = camera_ray(v.c, (real)(i * 7 % w) + (real)0.3, (real)(i * 5 % h) + (real)0.3, w, h);
+        ray r = camera_ray(v.c, (real)(i * 7 % columns) + (real)0.3,
+                           (real)(i * 5 % rows) + (real)0.3, columns, rows);
         vec3 x = distributed_ray(&d, r, q), y = distributed_ray(&e, r, q);
         other += !((double)vlength(vsub(x, y)) <= 1e3 * (double)real_epsilon * (1 + (double)x.x));
         moved += d.t.counts.rays[RAY_REFLECTION] > before;

@@ -6,8 +6,7 @@
 #include "../common/vec3.h"
 #include <math.h>
 
-#define eps ((double)real_epsilon)
-#define PI 3.14159265358979324
+static const double eps = (double)real_epsilon, PI = 3.14159265358979324;
 
 /* 10^x, x uniform */
 static inline real size_between(random_stream *s, real lo, real hi)

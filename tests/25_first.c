@@ -7,7 +7,8 @@
 #include "../chapters/25_bounces/terms.h"
 #include "check.h"
 
-static const double false_alarm = 1e-8, sigmas = 5.8;
+static const double false_alarm = 1e-8;
+static const double sigmas = 5.8;
 enum { depth = 3 };
 
 /* ---- the Cornell box: E, K E, K^2 E, K^3 E, mean over the picture, red and blue ---- */

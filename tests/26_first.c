@@ -1,6 +1,5 @@
 /* 26's first.h: its pictures against path.h's on the same walls, its
  * roulette, its noise, its options. Fixed seeds; a comparison alarms falsely once in 1e8 seeds. */
-static char directory[] = "/tmp/26_first_XXXXXX";
 #include "program.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
@@ -8,7 +7,8 @@ static char directory[] = "/tmp/26_first_XXXXXX";
 #include "../chapters/26_path_tracer/path.h"
 #include "check.h"
 
-static const double false_alarm = 1e-8, sigmas = 5.8;
+static const double false_alarm = 1e-8;
+static const double sigmas = 5.8;
 
 /* Two estimates of the same number. */
 #define check_same(a, b, ...) \

@@ -5,7 +5,7 @@
 #include "../chapters/26_path_tracer/lab/showcase.h"
 #include "check.h"
 
-enum { side = 24, block = 4, across = side / block, blocks = across * across, sets = 24 };
+enum { side = 24, block = 4, in_row = side / block, blocks = in_row * in_row, sets = 24 };
 
 /* Means of blocks of a picture [3 side side], each set one sample of each block. */
 static void gather(const double *picture, double scale, estimate *e)
@@ -13,7 +13,7 @@ static void gather(const double *picture, double scale, estimate *e)
     double sum[3 * blocks] = {0};
     for (int i = 0; i < side * side; i++)
         for (int ch = 0; ch < 3; ch++)
-            sum[3 * (i / side / block * across + i % side / block) + ch] += picture[3 * i + ch];
+            sum[3 * (i / side / block * in_row + i % side / block) + ch] += picture[3 * i + ch];
     for (int k = 0; k < 3 * blocks; k++)
         e[k] = estimate_add(e[k], sum[k] * scale / (block * block));
 }

@@ -1,6 +1,5 @@
 /* Tests of 26: exact sums, states that are cut, joined, resumed, damaged; error estimates. */
 #include "check.h"
-static char directory[] = "/tmp/26_state_XXXXXX";
 #include "program.h"
 #include "../common/output.h"
 #include "../common/lab/t_test.h"

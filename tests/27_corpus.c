@@ -4,7 +4,6 @@
  *
  * What begins with ok_ must be read, what begins with bad_ refused.
  */
-static char directory[] = "/tmp/27_corpus_XXXXXX";
 #include "../chapters/27_effects/lab/explain.h"
 #include "27_files.h"
 #include "../common/random.h"

@@ -1,6 +1,5 @@
 /* Tests of the program 27_effects, from outside: what it prints, refuses, draws, and needs;
  * pictures that are stopped and gone on with. (The state itself and the error: 26_state.c.) */
-static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
 #include "../chapters/26_path_tracer/files/long_run.h"
 #include "../chapters/27_effects/lab/six.h"

@@ -1,6 +1,6 @@
 /* 27_files.h: texts as files in a directory of their own, and what reading them gives.
  *
- *   static char directory[] = "/tmp/27_NAME_XXXXXX";  before; main: mkdtemp, remove_directory()
+ *   main: mkdtemp(directory), remove_directory()
  *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
  *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")
  *                                              the file `text` makes the reading of `scene` fail so

@@ -2,7 +2,6 @@
  *
  * Oracles: Beer's law and Snell's by hand, 19's tree of rays, 26's paths, quadratures.
  */
-static char directory[] = "/tmp/27_glass_XXXXXX";
 #include "27_seen.h"
 
 /* ---- priorities ---- */

@@ -5,13 +5,12 @@
  * numbers have names; but for the rule "one plane", where the weights of shadow rays and bounces
  * are others: there by a t-test. Then each rule is broken in turn, and these checks must notice.
  */
-static char directory[] = "/tmp/27_proof_XXXXXX";
 #include "27_files.h"
 #include "../chapters/27_effects/lab/draw.h"
 #include "../chapters/27_effects/plan.h"
 #include "../common/lab/t_test.h"
 
-enum { across = 8, down = 6, proof_room = 1 << 14, proof_scenes = 20000 };
+enum { columns = 8, rows = 6, proof_room = 1 << 14, proof_scenes = 20000 };
 
 static double some(random_stream *r, double lowest, double highest)
 {
@@ -236,7 +235,7 @@ static void proof_end(proof *q)
 static image proof_draw(proof *q, unsigned mask, int samples, uint64_t seed)
 {
     image im;
-    drawing j = {.e = &q->e, .samples = samples, .seed = seed, .width = across, .height = down};
+    drawing j = {.e = &q->e, .samples = samples, .seed = seed, .width = columns, .height = rows};
     effects_stage_effects(&q->e, mask);
     draw_image(&j, &im, 1);
     for (int k = 0; k < effect_kinds; k++)
@@ -253,7 +252,7 @@ static double proof_likely(proof *q, unsigned mask, int samples)
     estimate off = {0};
     image a = proof_draw(q, mask, samples, 6);
     image b = proof_draw(q, EFFECTS_EVERYTHING, samples, 6);
-    for (size_t i = 0; i < 3 * across * down; i += 3)
+    for (size_t i = 0; i < 3 * columns * rows; i += 3)
         off = estimate_add(off, (double)(a.rgb[i] - b.rgb[i]));
     double mean = off.mean < 0 ? -off.mean : off.mean;
     image_free(&a), image_free(&b);
@@ -277,7 +276,7 @@ static bool proof_refutes(proof *q, const plan *p, bool *by_chance)
     if (!q->drawn) q->everything = proof_draw(q, EFFECTS_EVERYTHING, q->samples, 5);
     q->drawn = true;
     image lean = proof_draw(q, mask, q->samples, 5);
-    bool same = memcmp(lean.rgb, q->everything.rgb, 3 * across * down * sizeof *lean.rgb) == 0;
+    bool same = memcmp(lean.rgb, q->everything.rgb, 3 * columns * rows * sizeof *lean.rgb) == 0;
     image_free(&lean);
     if (same) return false;
     const plan_rule *r = p->rule[RAY_SCATTERED];

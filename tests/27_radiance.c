@@ -2,7 +2,6 @@
  * 26 where they can draw the same, bodies within bodies, and closed forms. (27_proof: that the
  * plan's picture is that of everything.)
  */
-static char directory[] = "/tmp/27_radiance_XXXXXX";
 #include "27_seen.h"
 
 /* The copies for fixed masks are the same function: the general one gives the same bytes. */

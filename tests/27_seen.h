@@ -1,6 +1,6 @@
 /* 27_seen.h: scenes of chapter 27 from texts, and what is seen along rays.
  *
- *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this, as 27_files.h
+ *   main as in 27_files.h
  *   set q; set_up(&q, text); .. tear_down(&q);         a scene, its plan, its stage
  *   dice d = dice_start(seed, pixel, k)                dice_sample of one alone: the same numbers
  *   vec3 L = seen_along(&q, r)                         one throw of the dice, from where r begins

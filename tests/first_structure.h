@@ -3,7 +3,7 @@
  * bounds of memory and depth, and be wrong where their tops say so: far away.
  *
  *   FIRST_STRUCTURE(first_grid, *s = first_grid_build(m))      its verbs: s from the mesh m
- *   FIRST_TREE(first_octree, first_octree_node, 8, n->n)       items_of (n->n in node n), depth_of
+ *   FIRST_TREE(X, X_node, 8, n->n)     X_items_of (n->n in node n) and X_depth_of of a tree X
  *   first_structure s = {"grid", FIRST_VERBS(first_grid), items_of, depth_of, 100, most_depth};
  *   first_structure_tests(&s, &full);     full: the chapter's own structure, see structure.h
  *
@@ -40,23 +40,23 @@ typedef struct { size_t rays, hits, wrong, lost, full_wrong; } first_verdict;
     static void X##_gone(void *s) { X##_free(s), free(s); }
 
 #define FIRST_TREE(X, X_node, ways, own)                                                         \
-    static size_t items_below(const X_node *n)                                                   \
+    static size_t X##_items_below(const X_node *n)                                               \
     {                                                                                            \
         size_t sum = (size_t)(own);                                                              \
-        for (int c = 0; n->child && c < (ways); c++) sum += items_below(&n->child[c]);           \
+        for (int c = 0; n->child && c < (ways); c++) sum += X##_items_below(&n->child[c]);       \
         return sum;                                                                              \
     }                                                                                            \
-    static int depth_below(const X_node *n)                                                      \
+    static int X##_depth_below(const X_node *n)                                                  \
     {                                                                                            \
         int most = 0;                                                                            \
         for (int c = 0; n->child && c < (ways); c++) {                                           \
-            int d = 1 + depth_below(&n->child[c]);                                               \
+            int d = 1 + X##_depth_below(&n->child[c]);                                           \
             if (d > most) most = d;                                                              \
         }                                                                                        \
         return most;                                                                             \
     }                                                                                            \
-    static size_t items_of(const void *s) { return items_below(&((const X *)s)->root); }         \
-    static int depth_of(const void *s) { return depth_below(&((const X *)s)->root); }
+    static size_t X##_items_of(const void *s) { return X##_items_below(&((const X *)s)->root); } \
+    static int X##_depth_of(const void *s) { return X##_depth_below(&((const X *)s)->root); }
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
 /* program.h: a built program seen from outside, and a directory for its files.
  *
- *   static char directory[] = "/tmp/NAME_XXXXXX";    before this is included; main calls mkdtemp
+ *   mkdtemp(directory)                               main makes it
  *   const char *path = in_directory("g.rays")        good until the fourth call after it
  *   put("a.obj", text), put_bytes("a.rays", bytes, n)               writes a file there
  *   int status = run("17_compare", "--csv @t.csv")   of $BUILD, or of build/; @ is the directory;
@@ -16,6 +16,8 @@
 
 #include "../common/file.h"
 #include <sys/wait.h>
+
+static char directory[] = "/tmp/test_XXXXXX";
 
 /* ---------------------------------------------------------------------------------------------- */
 
