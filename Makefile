@@ -51,6 +51,7 @@ LIGHT = 01_ray 01_wide 02_camera 02_filter 02_first 03_sphere 05_first 06_first 
   21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
   25_bounces 25_first 25_transport 26_first 26_path_tracer 26_state 27_corpus 27_first 27_glass \
   27_plan 27_proof 27_radiance 27_readers 27_tree figure label output
+LIGHT_SETS = seeing paths common
 LIGHT_MAINS = $(filter-out 06_csg 16_instances 20_monte_carlo,$(CHAPTERS))
 endif
 CFLAGS ?= -O2 $(NATIVE)
@@ -75,7 +76,7 @@ SMALL := $(shell $(CC) -Werror --param inline-unit-growth=0 --param large-unit-i
   2>/dev/null && echo --param inline-unit-growth=0 --param large-unit-insns=0)
 # Under the sanitizers, tests that compute much for the few lines they compile, and the short book: -O1.
 MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 12_kdtree 13_bsp 13_first 14_bvh 14_first \
-  14_tree 16_first 20_monte_carlo
+  14_tree 16_first 20_monte_carlo structures first
 ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
 
 BUILD ?= build
@@ -177,9 +178,28 @@ showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
 	$(Q)$(BUILD)/07_mesh --teapot 24 --save build/teapot.obj
 	$(Q)$(BUILD)/27_effects chapters/27_effects/scenes/showpiece.scene --size 1280x720 --samples 256 --out images/showpiece.png
 
-test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
-	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
-	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
+# Tests that include much the same are one program there (together.sh), and so compiled in a third of the time.
+SETS = seeing paths structures first common
+SET_seeing = $(filter 17_compare 17_spd 18_% 19_% 21_% 22_%,$(filter-out 22_first,$(TESTS)))
+SET_paths = $(filter 24_% 25_% 26_% 27_%,$(filter-out 27_first,$(TESTS)))
+SET_structures = $(filter 10_% 11_% 12_% 13_% 14_% 16_% 17_torture,$(filter-out %_first,$(TESTS)))
+SET_first = $(filter 10_first 11_first 12_first 13_first 14_first 15_first 16_first,$(TESTS))
+SET_common = $(filter-out parallel,$(filter-out 0% 1% 2%,$(TESTS)))
+SET_TESTS = $(foreach s,$(SETS),$(SET_$(s)))
+define set_of_tests
+$(BUILD)/quick/$(1).c: FORCE
+	@mkdir -p $(BUILD)/quick && sh tests/together.sh $(SET_$(1)) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+$(BUILD)/quick/tests_$(1): $(BUILD)/quick/$(1).c $(STAMP)
+	$(if $(V),,@echo "CC tests/ of $(1): $(SET_$(1))")
+	$(Q)$(CC) -I. $(ALL_CFLAGS) $(if $(filter $(1),$(LIGHT_SETS)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(if $(filter $(1),$(MUCH)),$(MUCH_CFLAGS)) $(SOON) -Wno-shadow -MMD -MP -MF $$@.d -MT $$@ -o $$@ $$< $(LDLIBS)
+endef
+$(foreach s,$(SETS),$(eval $(call set_of_tests,$(s))))
+
+SINGLE = $(filter-out $(SET_TESTS),$(TESTS))
+test: $(foreach s,$(SETS),$(if $(SET_$(s)),$(BUILD)/quick/tests_$(s))) $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(SINGLE:%=$(BUILD)/test_%)
+	@cd $(BUILD)/quick && for f in $(FIRSTS:%=%_first) $(SINGLE:%=test_%); do ln -sf ../$$f .; done; \
+	  $(foreach s,$(SETS),for t in $(SET_$(s)); do ln -sf tests_$(s) test_$$t; done;)
+	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)/quick" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
 	  sh tests/run.sh $(SCRIPTS) $(TESTS)
 define test_number
 .PHONY: test-$(1)
