@@ -167,7 +167,7 @@ if plant z || plant b; then no "a patch that does not apply was applied"; else o
 if plant a && [ "$(head -n 1 "$scratch/x/y")" = c ]; then ok; else no "a patch that applies was not applied"; fi
 
 if [ "${1:-}" = tests ]; then
-    # BUILT, a folder: what `make test` has just built there are the tests without the bugs.
+    # BUILT, a folder: what `make test` has just built there, links among it, are the tests without the bugs.
     copy "$BUILD/bug-whole"
     for patch in "$here"/*.patch; do field Test "$patch"; done | sort -u | sed 's#.*#test_&#' >"$scratch/whole"
     if [ -n "${BUILT:-}" ]; then
