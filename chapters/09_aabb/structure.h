@@ -91,17 +91,19 @@ static inline bool memory_takes(memory *m, size_t n, size_t size)
 
 static inline void memory_gives(memory *m, size_t n, size_t size) { m->bytes -= n * size; }
 
-/* p: of an array with room for *room things of `size` bytes. It moves to one for n, at a line of
- * the cache; the first `used` of them stay; for a moment both are held. False: nothing changes. */
+/* p: the address of a pointer to an array with room for *room things of `size` bytes. It moves to
+ * one for n, at a line of the cache; the first `used` stay; for a moment both are held. False:
+ * nothing changes. (As bytes: C forbids to write a pointer to one type through that to another.) */
 static inline bool memory_fit(memory *m, void *p, size_t used, size_t n, size_t *room, size_t size)
 {
-    void **at = p, *old = *at;
+    void *old;
+    memcpy(&old, p, sizeof old);
     if (!memory_takes(m, n, size)) return false;
     void *now = aligned_alloc(64, (n * size / 64 + 1) * 64);
     m->full |= !now;
     if (now && used) memcpy(now, old, used * size);
     memory_gives(m, now ? *room : n, size);
-    if (now) free(old), *at = now, *room = n;
+    if (now) free(old), memcpy(p, &now, sizeof now), *room = n;
     return now;
 }
 

@@ -131,7 +131,7 @@ static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin
     if (t->references + n >= octree_is_leaf
         || !memory_room(&t->held, &t->reference, t->references, t->references + n,
                         &b->reference_room, sizeof *t->reference)) return false;
-    memcpy(t->reference + t->references, b->list + begin, n * sizeof *t->reference);
+    if (n) memcpy(t->reference + t->references, b->list + begin, n * sizeof *t->reference);
     t->node[node] = (octree_node){(uint32_t)t->references, octree_is_leaf | (uint32_t)n};
     t->references += n;
     if (depth > t->depth) t->depth = depth;
