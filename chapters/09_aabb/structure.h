@@ -107,7 +107,7 @@ static inline bool memory_fit(memory *m, void *p, size_t used, size_t n, size_t 
     return now;
 }
 
-/* Room for n at least; if there is more to be had, half as much again as there was. */
+/* Room for n at least, and for half as much again as there was; false if that is not to be had. */
 static inline bool memory_room(memory *m, void *p, size_t used, size_t n, size_t *room,
                                size_t size)
 {
