@@ -36,8 +36,8 @@
 #include "build.h"
 #include "ray8.h"
 
-#define EIGHT_FILE "walk.h"
-#include "dialects.h"
+#define EIGHT_FILE "../../chapters/15_wide_bvh/walk.h"
+#include "../../common/numbers/dialects.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

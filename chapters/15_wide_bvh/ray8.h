@@ -48,13 +48,6 @@ typedef struct {
 
 #define bvh8_row(rows, offset) (*(const eight *)((const char *)(rows) + (offset)))
 
-static inline uint32_t float_bits(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /* t in the frame, rather too large: rounded once, twice in float, and this product. In double: in
  * float the scale of a small tree may overflow. A far origin was moved by `shift`. */
 static inline float bvh8_limit(const bvh8_ray *q, real t)

@@ -15,9 +15,9 @@
 #ifndef WIDE_TREE8_H
 #define WIDE_TREE8_H
 
+#include "../../common/numbers/eight.h"
 #include "../09_aabb/items.h"
 #include "../14_bvh/tree.h"
-#include "eight.h"
 
 #define bvh8_leaf 0x80000000u
 

@@ -4,6 +4,7 @@
  *   float_below(x)   the largest float <= x         float_above(x)   the smallest float >= x
  *   float_beyond(x)  some float > x, for an x that was rounded itself
  *   float_min(a, b), float_max(a, b)   b if one of them is NaN
+ *   float_bits(x)    its 32 bits, as they are
  *   float_key(x)     a uint32_t: float_key(a) < float_key(b) exactly if a < b; -0 counts as 0
  *   float_of_key(k)  the float whose key k is
  *
@@ -31,6 +32,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline uint32_t float_bits(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
 /* The nearest float, or where that is above x the one before it: its bits, as a number, less one,
  * or one more if it is negative. (FLT_MAX comes before infinity, and -2^-149 before -0. Bits of +0
  * are never above x: a negative x that becomes 0 becomes -0.) Which of the two is a coin toss: a
@@ -38,8 +46,7 @@
 static inline float float_below(real x)
 {
     float f = (float)x;
-    uint32_t bits, above = (real)f > x;
-    memcpy(&bits, &f, sizeof bits);
+    uint32_t bits = float_bits(f), above = (real)f > x;
     bits += 2 * (bits >> 31 & above) - above;
     memcpy(&f, &bits, sizeof f);
     return f;
@@ -62,9 +69,7 @@ static inline float float_max(float a, float b) { return a > b ? a : b; }
  * numbers, by its sign. */
 static inline uint32_t float_key(float x)
 {
-    uint32_t bits;
-    x += 0.0f;  /* -0 becomes 0 */
-    memcpy(&bits, &x, sizeof bits);
+    uint32_t bits = float_bits(x + 0.0f);  /* -0 becomes 0 */
     return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 

@@ -8,8 +8,8 @@
 
 #include "../bvh8.h"
 
-#define EIGHT_FILE "lab/leaky_walk.h"
-#include "../dialects.h"
+#define EIGHT_FILE "../../chapters/15_wide_bvh/lab/leaky_walk.h"
+#include "../../../common/numbers/dialects.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

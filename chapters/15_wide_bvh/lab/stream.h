@@ -19,8 +19,8 @@ enum { stream_rays = 8 };
 typedef struct { size_t fetched, asked; } stream_work;  /* nodes; rays at nodes */
 typedef struct { uint32_t child, rays; float enter; } stream_waiting;
 
-#define EIGHT_FILE "lab/stream_walk.h"
-#include "../dialects.h"
+#define EIGHT_FILE "../../chapters/15_wide_bvh/lab/stream_walk.h"
+#include "../../../common/numbers/dialects.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

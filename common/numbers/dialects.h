@@ -1,4 +1,5 @@
-/* dialects.h: compiles the file EIGHT_FILE once in each dialect of eight.h. No guard. */
+/* dialects.h: compiles the file EIGHT_FILE, its path as seen from here, once in each dialect of
+ * eight.h. No guard. */
 #define EIGHT_DIALECT 0
 #define EIGHT_TARGET
 #include EIGHT_FILE

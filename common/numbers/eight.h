@@ -18,8 +18,8 @@
  * the machine has its instructions. Plain C compiles for every processor, and is quick where
  * registers hold eight floats (x86-64-v3 and up). A lane that is NaN: MIN and MAX give b, LE none.
  */
-#ifndef WIDE_EIGHT_H
-#define WIDE_EIGHT_H
+#ifndef EIGHT_H
+#define EIGHT_H
 
 #include <math.h>
 #include <stdint.h>
