@@ -154,15 +154,15 @@ static void test_topology(void)
 static void test_morton_leaves(void)
 {
     mesh m = teapot_mesh(8);
-    bvh_mesh one, eight;
+    bvh_mesh one, more;
     check(bvh_mesh_build(&m, (bvh_options){"morton", 1, 0.3, SIZE_MAX}, &one, NULL), "built");
-    check(bvh_mesh_build(&m, (bvh_options){"morton", 8, 0.3, SIZE_MAX}, &eight, NULL), "built");
-    tree_cost a = tree_cost_of(&one.tree), b = tree_cost_of(&eight.tree);
+    check(bvh_mesh_build(&m, (bvh_options){"morton", 8, 0.3, SIZE_MAX}, &more, NULL), "built");
+    tree_cost a = tree_cost_of(&one.tree), b = tree_cost_of(&more.tree);
     check_at_most(b.nodes + 0.3 * b.tests, a.nodes + 0.3 * a.tests,
                   "joining items into leaves never raises the cost");
-    check(tree_stats(&eight.tree).leaves < m.triangles
+    check(tree_stats(&more.tree).leaves < m.triangles
               && tree_stats(&one.tree).leaves == m.triangles, "and some are joined");
-    bvh_mesh_free(&one), bvh_mesh_free(&eight);
+    bvh_mesh_free(&one), bvh_mesh_free(&more);
     mesh_free(&m);
 }
 
@@ -175,8 +175,8 @@ static void find_point(finder *f, size_t at)
 {
     const bvh_node *n = &f->b->tree.node[at];
     for (int k = 0; k < 3; k++)
-        if (!(vaxis(f->p, k) >= (real)n->box.side[k] - f->slack
-              && vaxis(f->p, k) <= (real)n->box.side[3 + k] + f->slack)) return;
+        if (!(vaxis(f->p, k) >= (real)n->low[k] - f->slack
+              && vaxis(f->p, k) <= (real)box_high(n, k) + f->slack)) return;
     for (size_t i = n->first; i < n->first + n->count; i++)
         f->found |= f->b->triangle[i].index == f->index;
     if (n->count == 0) find_point(f, n->first), find_point(f, n->first + 1);
@@ -218,20 +218,23 @@ static void test_clip(void)
     bvh_box b;
     float pad = (float)(48 * real_epsilon) + 0x1p-20f;  /* 6 eps of 8, and a float */
     check(triangle_item(&m, 0, &item) && triangle_clip(&m, &item, 0, 2, 4, &b), "it reaches there");
-    check(b.side[0] == 2 && b.side[3] == 4, "from plane to plane");
-    check_close(b.side[4], 6, pad, "at x = 2 it is 6 high");
-    check(b.side[4] >= 6 && b.side[1] <= 0 && b.side[2] <= 1 && b.side[5] >= 1, "never too small");
+    check(b.low[0] == 2 && box_high(&b, 0) == 4, "from plane to plane");
+    check_close(box_high(&b, 1), 6, pad, "at x = 2 it is 6 high");
+    check(box_high(&b, 1) >= 6 && b.low[1] <= 0 && b.low[2] <= 1 && box_high(&b, 2) >= 1,
+          "never too small");
     check(triangle_clip(&m, &item, 1, 7, INFINITY, &b), "the tip");
-    check_close(b.side[3], 1, pad, "above y = 7 it is 1 wide");
+    check_close(box_high(&b, 0), 1, pad, "above y = 7 it is 1 wide");
     check(!triangle_clip(&m, &item, 0, 9, 10, &b), "it does not reach beyond 8");
-    check(triangle_clip(&m, &item, 0, 8, 9, &b) && b.side[0] == 8 && b.side[3] == 8
-              && b.side[1] <= 0,
+    check(triangle_clip(&m, &item, 0, 8, 9, &b) && b.low[0] == 8 && box_high(&b, 0) == 8
+              && b.low[1] <= 0,
           "the corner at 8 belongs to what begins there");
-    check(triangle_clip(&m, &item, 0, 0, 4, &b) && b.side[4] >= 8, "and those at 0 to the first");
-    item.box.side[3] = 1;  /* cut before, at x = 1; box kept below y = 3 */
-    item.box.side[4] = 3;
+    check(triangle_clip(&m, &item, 0, 0, 4, &b) && box_high(&b, 1) >= 8,
+          "and those at 0 to the first");
+    item.minus_high[0] = -1;  /* cut before, at x = 1; box kept below y = 3 */
+    item.minus_high[1] = -3;
     check(!triangle_clip(&m, &item, 0, 2, 4, &b), "what was cut off does not come back");
-    check(triangle_clip(&m, &item, 1, 2, 9, &b) && b.side[3] == 1 && b.side[4] == 3,
+    check(triangle_clip(&m, &item, 1, 2, 9, &b) && box_high(&b, 0) == 1
+              && box_high(&b, 1) == 3,
           "what is left of it, inside what was left before");
 }
 
@@ -246,7 +249,7 @@ static void test_clip_overflow(void)
     bvh_item item;
     bvh_box b;
     check(triangle_item(&m, 0, &item) && triangle_clip(&m, &item, 0, -1, 1, &b)
-              && (real)b.side[4] >= (real)0.4 * large && b.side[1] <= 0,
+              && (real)box_high(&b, 1) >= (real)0.4 * large && b.low[1] <= 0,
           "no part is lost where b - a overflows");
 }
 
@@ -286,8 +289,8 @@ static void test_clip_rounding(void)
         for (int k = 1; k < 3; k++) {
             wide from = wide_of((double)vaxis(v[0], k)), to = wide_of((double)vaxis(v[1], k));
             wide exact = wide_add(from, wide_mul(wide_sub(to, from), s));
-            outside += !there || wide_sign(wide_sub(exact, wide_of((double)b.side[k]))) < 0
-                    || wide_sign(wide_sub(exact, wide_of((double)b.side[3 + k]))) > 0;
+            outside += !there || wide_sign(wide_sub(exact, wide_of((double)b.low[k]))) < 0
+                    || wide_sign(wide_sub(exact, wide_of((double)box_high(&b, k)))) > 0;
         }
     }
     check_equal(outside, 0, "the exact crossings of an edge are in the box of the part");
@@ -343,8 +346,8 @@ static int look_at(look *x, uint32_t at)
     int deepest = 0;
     for (uint32_t c = n->first; n->count == 0 && c < n->first + 2; c++) {
         for (int k = 0; k < 3; k++)
-            x->outside += !(n->box.side[k] <= node[c].box.side[k]
-                            && node[c].box.side[3 + k] <= n->box.side[3 + k]);
+            x->outside += !(n->low[k] <= node[c].low[k]
+                            && box_high(&node[c], k) <= box_high(n, k));
         int below = 1 + look_at(x, c);
         deepest = below > deepest ? below : deepest;
     }
@@ -357,7 +360,7 @@ static int look_at(look *x, uint32_t at)
             for (int k = 0; k < 3; k++) {
                 real p = vaxis(own[c], k);
                 x->outside += p != vaxis(x->b->triangle[i].corner[c], k);
-                x->outside += !((real)n->box.side[k] <= p && p <= (real)n->box.side[3 + k]);
+                x->outside += !((real)n->low[k] <= p && p <= (real)box_high(n, k));
             }
     }
     return deepest;
@@ -505,7 +508,9 @@ static void test_odd(void)
             bvh_mesh_refit(&t, &m, k);
             check(bvh_mesh_build(&m, bvh_defaults, &anew, NULL), "built anew");
             check_hits(&t, &anew, &m, round % 2 ? "whole again" : "a corner that is no number");
-            check(memcmp(&t.tree.node[0].box, &anew.tree.node[0].box, sizeof(bvh_box)) == 0,
+            check(memcmp(t.tree.node->low, anew.tree.node->low, sizeof(float[3])) == 0
+                      && memcmp(t.tree.node->minus_high, anew.tree.node->minus_high,
+                                sizeof(float[3])) == 0,
                   "round %d: what is no number widens no box", round);
             bvh_mesh_free(&anew);
         }

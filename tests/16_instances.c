@@ -353,10 +353,10 @@ static void test_flattened_within_bound(vec3 move, real unlike)
         uint32_t near = mine ? two.instance : where, near_k = mine ? two.h.shape : h.shape;
         const placed *p = &x.place[x.where[near]];
         affine m = s.list[near].to_world;
-        real reach = box_farthest(&x.lower[p->mesh].tree.node[0].box);
+        real reach = box_farthest(x.lower[p->mesh].tree.node);
         placing pad = placing_of(m, p->to_object, reach);
         double bound = (double)placing_pad(&pad, r.o)
-            + (double)real_epsilon * (256 * (double)box_reach(&b.tree.node[0].box, r.o)
+            + (double)real_epsilon * (256 * (double)box_reach(b.tree.node, r.o)
                                       + 2 * (double)(affine_norm(m) * reach + vlargest(m.o)));
         wide3 corner[3];
         exact_corners(&s.c, near, near_k, corner);
@@ -699,8 +699,8 @@ static void test_sick_mesh(void)
     crowd c = {&m, 1, list, 9};
     for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
         instances x = built(&c, b);
-        const bvh_box *root = &x.tree.node[0].box;
-        check(isfinite(root->side[0]) && isfinite(root->side[4]), "boxes stay finite");
+        const bvh_box *root = x.tree.node;
+        check(isfinite(root->low[0]) && isfinite(root->minus_high[1]), "boxes stay finite");
         verdict v = compare_aimed(&c, &x, check_count(1000), (vec3){0, 0, 0}, 2, 72);
         check_equal(v.wrong + v.wrong_any, 0, "a mesh with NaN, boxes by %s", boxes_name[b]);
         check_at_least(v.hits, v.rays / 8, "rays hit");
@@ -719,7 +719,7 @@ static void test_boxes(void)
     size_t larger = 0;
     bvh_mesh b;
     check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
-    const bvh_box *root = &b.tree.node[0].box;
+    const bvh_box *root = b.tree.node;
     for (size_t i = 0; i < check_count(300); i++) {
         random_stream g = random_start(81, i, 0);
         vec3 move = vscale((vec3){1, 2, 3}, (real)(i % 3) * 50);
@@ -741,18 +741,19 @@ static void test_boxes(void)
                 double q[3] = {wide_value(corner[j].x), wide_value(corner[j].y),
                                wide_value(corner[j].z)};
                 for (int e = 0; e < 3; e++) {
-                    outside = check_worse(outside, (double)tb.side[e] - q[e]);
-                    outside = check_worse(outside, q[e] - (double)tb.side[3 + e]);
-                    outside = check_worse(outside, (double)lb.side[e] - q[e]);
-                    outside = check_worse(outside, q[e] - (double)lb.side[3 + e]);
+                    outside = check_worse(outside, (double)tb.low[e] - q[e]);
+                    outside = check_worse(outside, q[e] - (double)box_high(&tb, e));
+                    outside = check_worse(outside, (double)lb.low[e] - q[e]);
+                    outside = check_worse(outside, q[e] - (double)box_high(&lb, e));
                 }
             }
         }
         larger += box_area(&lb) > 1.2 * box_area(&tb);
         vec3 lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
         for (int k = 0; k < 8; k++) {  /* (16.2) against going through the corners */
-            vec3 corner = {(real)root->side[k & 1 ? 3 : 0], (real)root->side[k & 2 ? 4 : 1],
-                           (real)root->side[k & 4 ? 5 : 2]};
+            vec3 corner = {(real)(k & 1 ? box_high(root, 0) : root->low[0]),
+                           (real)(k & 2 ? box_high(root, 1) : root->low[1]),
+                           (real)(k & 4 ? box_high(root, 2) : root->low[2])};
             lo = vmin(affine_point(t, corner), lo), hi = vmax(affine_point(t, corner), hi);
         }
         real bound = 8 * real_epsilon * (affine_norm(t) * 4 + vlargest(t.o));
@@ -783,7 +784,8 @@ static void test_pad_is_needed(bool fixed)
         instances x = built(&c, INSTANCES_POINTS), bare = built(&c, INSTANCES_POINTS);
         if (fixed) {
             aabb w = box_of_points(one.to_world, m.v, m.vertices);
-            bare.tree.node[0].box = box_padded(&w, 0);
+            bvh_box tight = box_padded(&w, 0), *root = bare.tree.node;
+            *root = box_numbered(&tight, root->first, root->count);
         } else bare.by_origin = 0;
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(93, i, (uint64_t)e);
@@ -853,8 +855,8 @@ static void test_invariants(void)
     for (uint32_t i = 0; i < 50; i++) {
         if (i == 7) continue;
         const placed *q = &x.place[x.where[i]];
-        real reach = box_farthest(&x.lower[q->mesh].tree.node[0].box);
-        check((real)x.tree.node[1].box.side[0]
+        real reach = box_farthest(x.lower[q->mesh].tree.node);
+        check((real)x.tree.node[1].low[0]
                   >= placing_of(s.list[i].to_world, q->to_object, reach).by_origin,
               "a ray pays for every instance, for the worst one, too");
     }

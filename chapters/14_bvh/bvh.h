@@ -50,7 +50,8 @@ static inline bool bvh_take_shapes(bvh_options how, bvh_item *item, bvh *out, fa
     for (size_t i = 0; i < out->x.n; i++) {
         aabb box;
         if (!items_bounds(&out->x, i, &box)) continue;
-        item[n++] = (bvh_item){box_between(box.lo, box.hi), (uint32_t)i};
+        item[n] = box_between(box.lo, box.hi);
+        item[n++].index = (uint32_t)i;
     }
     if (!tree_build(item, n, how, &out->shapes, f)) return false;
     out->index = tree_array(&out->shapes, n, sizeof *out->index);
@@ -64,8 +65,10 @@ static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure 
 {
     *out = (bvh){.x = *x};
     if (x->m) return bvh_mesh_build(x->m, how, &out->mesh, f);
-    bvh_item *item = x->n <= how.most_bytes / sizeof *item ? calloc(x->n + 1, sizeof *item) : NULL;
-    if (!item) return failed(f, 1, "BVH: no memory for %zu items", x->n);
+    memory own = {.most = how.most_bytes};
+    bvh_item *item = NULL;
+    if (!memory_fit(&own, &item, 0, x->n, &(size_t){0}, sizeof *item))
+        return failed(f, 1, "BVH: no memory for %zu items", x->n);
     bool built = bvh_take_shapes(how, item, out, f);
     free(item);
     if (!built) bvh_free(out);

@@ -36,7 +36,7 @@ static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
 {
     triangle t = mesh_triangle(m, i);
     if (!vfinite(t.a) || !vfinite(t.b) || !vfinite(t.c)) return false;
-    out->box = box_between(vmin(vmin(t.a, t.b), t.c), vmax(vmax(t.a, t.b), t.c));
+    *out = box_between(vmin(vmin(t.a, t.b), t.c), vmax(vmax(t.a, t.b), t.c));
     out->index = (uint32_t)i;
     return true;
 }
@@ -54,16 +54,18 @@ static inline bool triangle_clip(const void *context, const bvh_item *item, int 
                             {(double)t.b.x, (double)t.b.y, (double)t.b.z},
                             {(double)t.c.x, (double)t.c.y, (double)t.c.z}};
     part_box in = part_nothing;
-    *out = item->box;
+    *out = *item;
     if (far > real_largest / 4) return true;
     for (int i = 0; i < 3; i++)
         part_edge(&in, p[i], p[i < 2 ? i + 1 : 0], axis, (double)lo, (double)hi);
     vec3 least = {(real)in.lo[0], (real)in.lo[1], (real)in.lo[2]};
     vec3 most = {(real)in.hi[0], (real)in.hi[1], (real)in.hi[2]}, pad = {more, more, more};
     bvh_box part = box_between(vsub(least, pad), vadd(most, pad));
-    part.side[axis] = float_max(part.side[axis], lo);
-    part.side[3 + axis] = float_min(part.side[3 + axis], hi);
-    return box_shared(&part, &item->box, out);
+    part.low[axis] = float_max(part.low[axis], lo);
+    part.minus_high[axis] = float_max(part.minus_high[axis], -hi);
+    bool some = box_shared(&part, item, &part);
+    *out = box_numbered(&part, item->index, 0);
+    return some;
 }
 
 static inline void bvh_mesh_free(bvh_mesh *b)
@@ -98,8 +100,9 @@ static inline bool bvh_mesh_build(const mesh *m, bvh_options how, bvh_mesh *out,
     bvh_input in = {.clip = triangle_clip, .context = m};
     *out = (bvh_mesh){.triangle = NULL};
     in.room = rule && rule->through ? bvh_most_cuts * m->triangles : m->triangles;
-    if (in.room <= how.most_bytes / sizeof *in.item) in.item = calloc(in.room + 1, sizeof *in.item);
-    if (!in.item) return failed(f, 1, "BVH: no memory for %zu items", in.room);
+    memory own = {.most = how.most_bytes};
+    if (!memory_fit(&own, &in.item, 0, in.room, &(size_t){0}, sizeof *in.item))
+        return failed(f, 1, "BVH: no memory for %zu items", in.room);
     bool built = bvh_mesh_take(m, how, &in, out, f);
     free(in.item);
     if (!built) bvh_mesh_free(out);

@@ -1,8 +1,18 @@
 /* node.h: the node of the tree, 32 bytes, and the test of a ray against its box (包围盒).
  *
- *   bvh_node { box, first, count }
+ *   bvh_box { low[3], -, minus_high[3], - }     eight floats (eight.h), of which two are spare: in
+ *   bvh_node { .., first, .., count }           a node and an item, two whole numbers lie there
  *       count = 0    inner node (中间节点): its children (子节点) are nodes first and first + 1
  *       count > 0    leaf (叶节点): its items are number first .. first + count - 1
+ *   bvh_item { .., index, .. }                  what a tree is built of
+ *
+ * The high sides have their sign turned, so what is around two boxes is one minimum, of all eight
+ * at once; and that is most of what building does.
+ *
+ *   box_add(&a, &b)             a grows to hold b. Of both only the boxes count: a's two numbers
+ *                               are lost
+ *   box_numbered(&a, i, n)      the box with these two
+ *   box_high(&a, axis)          its high side, with its own sign
  *
  * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold.
  * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
@@ -42,17 +52,30 @@
 #define BVH_NODE_H
 
 #include "../09_aabb/structure.h"
+#include "../../common/numbers/eight.h"
 #include "../../common/numbers/float_round.h"
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-typedef struct { float side[6]; } bvh_box;               /* low x, y, z, high x, y, z */
-typedef struct { bvh_box box; uint32_t first, count; } bvh_node;
+typedef union {
+    eight_at all;
+    float side[8];
+    struct {
+        float low[3];
+        union { uint32_t first, index; };
+        float minus_high[3];
+        uint32_t count;
+    };
+} bvh_box;
+typedef bvh_box bvh_node;
+typedef bvh_box bvh_item;
 
-/* near[k], far[k]: which of the six sides a ray that moves along axis k meets first, and last. */
+/* near[k], far[k]: which of the eight sides a ray that moves along axis k meets first, and last. An
+ * axis along which it goes down is seen in a mirror: there it goes up, and low is minus_high. */
 typedef struct {
-    float o_near[3], o_far[3], inverse[3];
+    float o_near[3], o_far[3];  /* o + delta and delta - o, of (14.3) */
+    float inverse[3];           /* 1 / |d| */
     size_t near[3], far[3];
     real scale;   /* t of box_ray = scale * t of the ray, a power of two */
     real slack;   /* t is compared with so much to spare */
@@ -63,42 +86,43 @@ _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bvh_box box_empty(void)
-{
-    return (bvh_box){{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}};
-}
+static inline bvh_box box_empty(void) { return (bvh_box){.all = EIGHT_ALL(INFINITY)}; }
+static inline float box_high(const bvh_box *b, int axis) { return -b->minus_high[axis]; }
 
 static inline void box_add(bvh_box *a, const bvh_box *b)
 {
-    for (int k = 0; k < 3; k++) {
-        a->side[k] = float_min(b->side[k], a->side[k]);
-        a->side[3 + k] = float_max(b->side[3 + k], a->side[3 + k]);
-    }
+    a->all = EIGHT_LOOP(eight_min, b->all, a->all);
+}
+
+/* Lane by lane: what is read as a whole right after a part was written waits for that. */
+static inline bvh_box box_numbered(const bvh_box *b, size_t first, size_t count)
+{
+    eight_count lanes = (eight_count)b->all;
+    lanes[3] = (uint32_t)first, lanes[7] = (uint32_t)count;
+    return (bvh_box){.all = (eight)lanes};
 }
 
 static inline bvh_box box_between(vec3 lo, vec3 hi)
 {
-    return (bvh_box){{float_below(lo.x), float_below(lo.y), float_below(lo.z),
-                      float_above(hi.x), float_above(hi.y), float_above(hi.z)}};
+    return (bvh_box){.low = {float_below(lo.x), float_below(lo.y), float_below(lo.z)},
+                     .minus_high = {float_below(-hi.x), float_below(-hi.y), float_below(-hi.z)}};
 }
 
 /* Half of its surface: in double, so that no float box overflows it. 0 if empty. */
 static inline double box_area(const bvh_box *b)
 {
-    double x = (double)b->side[3] - (double)b->side[0];
-    double y = (double)b->side[4] - (double)b->side[1];
-    double z = (double)b->side[5] - (double)b->side[2];
+    double x = -(double)b->minus_high[0] - (double)b->low[0];
+    double y = -(double)b->minus_high[1] - (double)b->low[1];
+    double z = -(double)b->minus_high[2] - (double)b->low[2];
     return x >= 0 ? x * y + y * z + z * x : 0;
 }
 
 /* What two boxes share; false if nothing. */
 static inline bool box_shared(const bvh_box *a, const bvh_box *b, bvh_box *out)
 {
-    for (int k = 0; k < 3; k++) {
-        out->side[k] = float_max(a->side[k], b->side[k]);
-        out->side[3 + k] = float_min(a->side[3 + k], b->side[3 + k]);
-        if (!(out->side[k] <= out->side[3 + k])) return false;
-    }
+    out->all = EIGHT_LOOP(eight_max, a->all, b->all);
+    for (int k = 0; k < 3; k++)
+        if (!(out->low[k] <= box_high(out, k))) return false;
     return true;
 }
 
@@ -114,10 +138,19 @@ static inline real box_reach(const bvh_box *b, vec3 o)
 {
     real reach = 0;
     for (int k = 0; k < 3; k++) {
-        reach = real_max(reach, fabs((real)b->side[k] - vaxis(o, k)));
-        reach = real_max(reach, fabs((real)b->side[3 + k] - vaxis(o, k)));
+        reach = real_max(reach, fabs((real)b->low[k] - vaxis(o, k)));
+        reach = real_max(reach, fabs((real)box_high(b, k) - vaxis(o, k)));
     }
     return reach;
+}
+
+/* low, high: from where the low planes of axis k are seen, and the high ones in the mirror. */
+static inline void box_ray_axis(box_ray *q, int k, float low, float high, float inverse)
+{
+    bool down = inverse < 0;
+    q->inverse[k] = fabsf(inverse);
+    q->near[k] = (size_t)(down ? 4 + k : k), q->o_near[k] = down ? high : low;
+    q->far[k] = (size_t)(down ? k : 4 + k), q->o_far[k] = down ? low : high;
 }
 
 __attribute__((always_inline))  /* a call writes 80 bytes and reads them again: 10 % of a ray */
@@ -136,12 +169,7 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k), o = vaxis(r.o, k);
         float i = (float)(q.scale / d);
-        float up = float_beyond(o + delta), down = -float_beyond(delta - o);
-        q.inverse[k] = i;
-        q.near[k] = (size_t)(i < 0 ? 3 + k : k);
-        q.far[k] = (size_t)(i < 0 ? k : 3 + k);
-        q.o_near[k] = i < 0 ? down : up;
-        q.o_far[k] = i < 0 ? up : down;
+        box_ray_axis(&q, k, float_beyond(o + delta), float_beyond(delta - o), i);
     }
     return q;
 }
@@ -156,10 +184,8 @@ static inline box_ray box_ray_naive(ray r, const bvh_box *all, const void *conte
     box_ray q = {.scale = 1, .tmin = (float)r.tmin};
     (void)all, (void)context;
     for (int k = 0; k < 3; k++) {
-        q.inverse[k] = (float)(1 / vaxis(r.d, k));
-        q.o_near[k] = q.o_far[k] = (float)vaxis(r.o, k);
-        q.near[k] = (size_t)(q.inverse[k] < 0 ? 3 + k : k);
-        q.far[k] = (size_t)(q.inverse[k] < 0 ? k : 3 + k);
+        float o = (float)vaxis(r.o, k);
+        box_ray_axis(&q, k, o, -o, (float)(1 / vaxis(r.d, k)));
     }
     return q;
 }
@@ -177,9 +203,9 @@ static inline float box_enter(const bvh_box *b, const box_ray *q, float limit, f
     float x0 = (b->side[q->near[0]] - q->o_near[0]) * q->inverse[0];
     float y0 = (b->side[q->near[1]] - q->o_near[1]) * q->inverse[1];
     float z0 = (b->side[q->near[2]] - q->o_near[2]) * q->inverse[2];
-    float x1 = (b->side[q->far[0]] - q->o_far[0]) * q->inverse[0];
-    float y1 = (b->side[q->far[1]] - q->o_far[1]) * q->inverse[1];
-    float z1 = (b->side[q->far[2]] - q->o_far[2]) * q->inverse[2];
+    float x1 = (q->o_far[0] - b->side[q->far[0]]) * q->inverse[0];
+    float y1 = (q->o_far[1] - b->side[q->far[1]]) * q->inverse[1];
+    float z1 = (q->o_far[2] - b->side[q->far[2]]) * q->inverse[2];
     *exit = float_min(x1, float_min(y1, float_min(z1, limit)));
     return float_max(x0, float_max(y0, float_max(z0, q->tmin)));
 }

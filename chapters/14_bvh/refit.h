@@ -40,14 +40,14 @@ typedef struct { int all, of[2]; } refit_height;  /* levels below a node, and be
 static inline int refit_higher(int a, int b) { return a > b ? a : b; }
 
 /* A leaf: the corners of today, and the box around them. */
-static inline void refit_leaf(bvh_refit *x, bvh_node *n)
+static inline void refit_leaf(bvh_refit *x, const bvh_node *n, bvh_box *box)
 {
     for (uint32_t k = n->first; k < n->first + n->count; k++) {
         bvh_triangle *t = &x->b->triangle[k];
         bvh_item item;
         triangle now = mesh_triangle(x->m, t->index);
         t->corner[0] = now.a, t->corner[1] = now.b, t->corner[2] = now.c;
-        if (triangle_item(x->m, t->index, &item)) box_add(&n->box, &item.box);
+        if (triangle_item(x->m, t->index, &item)) box_add(box, &item);
     }
 }
 
@@ -57,9 +57,9 @@ static inline double refit_gain(const bvh_node *node, const bvh_node *child, int
 {
     const bvh_node *q = &child[1 - c];
     if (q->count) return 0;
-    bvh_box both = node[q->first + (uint32_t)(1 - k)].box;
-    box_add(&both, &child[c].box);
-    return box_area(&q->box) - box_area(&both);
+    bvh_box both = node[q->first + (uint32_t)(1 - k)];
+    box_add(&both, &child[c]);
+    return box_area(q) - box_area(&both);
 }
 
 /* The best of the four, if any gains. at: the depth of the node; h: of its children. */
@@ -77,8 +77,9 @@ static inline void refit_rotate(bvh_refit *x, bvh_node *child, int at, refit_hei
     if (best <= 0) return;
     bvh_node *q = &child[1 - down], *pair = node + q->first, lower = child[down];
     child[down] = pair[up], pair[up] = lower;
-    q->box = pair[0].box;
-    box_add(&q->box, &pair[1].box);
+    bvh_box both = pair[0];
+    box_add(&both, &pair[1]);
+    *q = box_numbered(&both, q->first, 0);
     int deep = h[down].all;
     h[down].all = h[1 - down].of[up], h[1 - down].of[up] = deep;
     h[1 - down].all = 1 + refit_higher(h[1 - down].of[0], h[1 - down].of[1]);
@@ -88,18 +89,16 @@ static inline void refit_rotate(bvh_refit *x, bvh_node *child, int at, refit_hei
 /* Children first: a box is made of theirs. */
 static inline refit_height refit_node(bvh_refit *x, uint32_t i, int depth)
 {
-    bvh_node *n = &x->b->tree.node[i];
-    n->box = box_empty();
-    if (n->count) {
-        refit_leaf(x, n);
-        return (refit_height){0, {0, 0}};
-    }
-    bvh_node *child = x->b->tree.node + n->first;
-    refit_height h[2];
-    for (uint32_t k = 0; k < 2; k++) {
+    bvh_node *n = &x->b->tree.node[i], *child = x->b->tree.node + n->first;
+    bvh_box box = box_empty();
+    refit_height h[2] = {{0, {0, 0}}, {0, {0, 0}}};
+    if (n->count) refit_leaf(x, n, &box);
+    for (uint32_t k = 0; k < 2 && !n->count; k++) {
         h[k] = refit_node(x, n->first + k, depth + 1);
-        box_add(&n->box, &child[k].box);
+        box_add(&box, &child[k]);
     }
+    *n = box_numbered(&box, n->first, n->count);
+    if (n->count) return h[0];
     if (x->rotate) refit_rotate(x, child, depth, h);
     return (refit_height){1 + refit_higher(h[0].all, h[1].all), {h[0].all, h[1].all}};
 }

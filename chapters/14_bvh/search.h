@@ -50,15 +50,15 @@ static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepar
     const bvh_node *node = t->node;
     if (t->items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
-    box_ray b = prepare(r, &node[0].box, context);
+    box_ray b = prepare(r, node, context);
     float limit = box_ray_limit(&b, r.tmax);
-    if (box_enter(&node[0].box, &b, limit, &exit0) > exit0) return false;
+    if (box_enter(node, &b, limit, &exit0) > exit0) return false;
     uint32_t first = node[0].first, count = node[0].count;
     for (;;) {
         if (count == 0) {
             const bvh_node *c = node + first;
-            float enter0 = box_enter(&c[0].box, &b, limit, &exit0);
-            float enter1 = box_enter(&c[1].box, &b, limit, &exit1);
+            float enter0 = box_enter(&c[0], &b, limit, &exit0);
+            float enter1 = box_enter(&c[1], &b, limit, &exit1);
             bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1);
             if (work) work->nodes++;
             if (in0) {

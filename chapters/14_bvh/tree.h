@@ -13,7 +13,7 @@
  * 64. Halving keeps that sum, so no leaf is deeper than 64, and a search needs to remember 64
  * siblings at most: a stack of fixed size that no input overflows.
  *
- * Memory. 28 bytes an item while it is built, 64 for nodes: 2 n + 2 of them are the most there can
+ * Memory. 32 bytes an item while it is built, 64 for nodes: 2 n + 2 of them are the most there can
  * be. The sweep takes 20 more, Morton codes 16. What is not used is given back. t.held.peak is
  * the most held at any time.
  */
@@ -88,7 +88,7 @@ static inline void tree_node(tree_builder *b, size_t at, size_t begin, size_t n,
     bvh_tree *t = b->tree;
     if (depth > t->depth) t->depth = depth;
     split_measure(&b->split, b->item + begin, n);
-    t->node[at] = (bvh_node){b->split.box, (uint32_t)begin, (uint32_t)n};
+    t->node[at] = box_numbered(&b->split.box, begin, n);
     size_t left = tree_split(b, b->item + begin, n, depth), first = t->nodes;
     if (left == 0) return;
     t->node[at].first = (uint32_t)first, t->node[at].count = 0;

@@ -76,7 +76,7 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
 {
     const bvh_tree *lower = &x->lower[s->mesh].tree;
     if (lower->items == 0 || !instance_inverse(s->to_world, &place->to_object)) return false;
-    const bvh_box *root = &lower->node[0].box;
+    const bvh_box *root = lower->node;
     placing p = placing_of(s->to_world, place->to_object, box_farthest(root));
     aabb w = boxes == INSTANCES_CORNERS ? box_of_corners(s->to_world, root)
                                         : box_of_points(s->to_world, points, n);
@@ -99,7 +99,7 @@ static inline void instances_items(instances *x, const crowd *c, instances_boxes
         for (size_t i = 0; i < c->n; i++) {
             real by_origin;
             if (c->list[i].mesh != k) continue;
-            if (!instance_item(x, boxes, &c->list[i], points, count, &item[n].box, &all[i],
+            if (!instance_item(x, boxes, &c->list[i], points, count, &item[n], &all[i],
                                &by_origin)) continue;
             item[n].index = (uint32_t)i;
             n++, x->by_origin = real_max(x->by_origin, by_origin);

@@ -58,9 +58,8 @@ static inline box_ray instances_box_ray(ray r, const bvh_box *root, const void *
     if (x->by_origin < 0) return box_ray_naive(r, root, NULL);
     box_ray q = box_ray_of(r, root, NULL);
     for (int k = 0; k < 3; k++) {
-        bool down = q.inverse[k] < 0;
-        float *low = down ? &q.o_near[k] : &q.o_far[k], *high = down ? &q.o_far[k] : &q.o_near[k];
-        *high = float_beyond((real)*high + pad), *low = -float_beyond(pad - (real)*low);
+        q.o_near[k] = float_beyond((real)q.o_near[k] + pad);
+        q.o_far[k] = float_beyond((real)q.o_far[k] + pad);
     }
     return q;
 }

@@ -149,7 +149,7 @@ static inline void corner_range(vec3 row, real at, const bvh_box *b, real *lo, r
 {
     *lo = *hi = at;
     for (int j = 0; j < 3; j++) {
-        real x = vaxis(row, j) * (real)b->side[j], y = vaxis(row, j) * (real)b->side[3 + j];
+        real x = vaxis(row, j) * (real)b->low[j], y = vaxis(row, j) * (real)box_high(b, j);
         *lo += real_min(x, y), *hi += real_max(x, y);
     }
 }
@@ -177,7 +177,7 @@ static inline bvh_box box_padded(const aabb *w, real pad)
 {
     vec3 by = {pad, pad, pad}, lo = vsub(w->lo, by), hi = vadd(w->hi, by);
     if (vfinite(lo) && vfinite(hi)) return box_between(lo, hi);
-    return (bvh_box){{-INFINITY, -INFINITY, -INFINITY, INFINITY, INFINITY, INFINITY}};
+    return (bvh_box){.all = EIGHT_ALL(-INFINITY)};
 }
 
 /* The same without all this care: the nearest floats, and nothing paid. An instance at 1e6, where
@@ -185,8 +185,8 @@ static inline bvh_box box_padded(const aabb *w, real pad)
 static inline bvh_box box_padded_naive(const aabb *w, real pad)
 {
     (void)pad;
-    return (bvh_box){{(float)w->lo.x, (float)w->lo.y, (float)w->lo.z, (float)w->hi.x,
-                      (float)w->hi.y, (float)w->hi.z}};
+    return (bvh_box){.low = {(float)w->lo.x, (float)w->lo.y, (float)w->lo.z},
+                     .minus_high = {-(float)w->hi.x, -(float)w->hi.y, -(float)w->hi.z}};
 }
 
 #endif

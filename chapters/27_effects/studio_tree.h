@@ -76,7 +76,7 @@ static inline bool studio_tree_moved(studio_tree *t, const crowd *c, size_t poin
         if (where == no_shape) continue;
         const placed *p = &t->moved.place[where];
         t->pad[i] = placing_of(c->list[i].to_world, p->to_object,
-                               box_farthest(&t->moved.lower[p->mesh].tree.node[0].box));
+                               box_farthest(t->moved.lower[p->mesh].tree.node));
     }
     return true;
 }

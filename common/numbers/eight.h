@@ -1,6 +1,7 @@
 /* eight.h: eight floats at a time (单指令多数据, SIMD), in three dialects.
  *
  *   eight           eight floats; + - * / work lane by lane, as on one number (GNU vectors)
+ *   eight_at        the same, wherever floats may lie in memory
  *   floats4         four of them: the three axes of a ray; floats4_within(a, most), _abs(a)
  *   doubles4        four doubles
  *   eight_best()    the best dialect of this machine
@@ -26,6 +27,7 @@
 #include <string.h>
 
 typedef float eight __attribute__((vector_size(32), may_alias));
+typedef float eight_at __attribute__((vector_size(32), may_alias, aligned(4)));
 typedef int32_t eight_whole __attribute__((vector_size(32)));
 typedef uint32_t eight_count __attribute__((vector_size(32)));
 typedef uint64_t eight_set;

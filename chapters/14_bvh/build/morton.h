@@ -124,24 +124,21 @@ static inline double morton_node(morton_builder *b, size_t at, size_t begin, siz
     int deepest = t->depth > depth ? t->depth : depth;
     bool fits = n <= (size_t)b->options.leaf, deep = depth + log2_above(n) >= bvh_most_depth;
     double built = HUGE_VAL;
-    bvh_node node = {b->item[begin].box, (uint32_t)begin, (uint32_t)n};
+    bvh_box box = box_empty();
     if (n > 1 && !(fits && deep)) {
         size_t cut = deep ? begin + n / 2 : morton_cut(b->pair, begin, end);
         t->nodes += 2;
         built = morton_node(b, first, begin, cut, depth + 1)
               + morton_node(b, first + 1, cut, end, depth + 1);
-        node.box = t->node[first].box;
-        box_add(&node.box, &t->node[first + 1].box);
-        built += box_area(&node.box);
-    }
-    double leaf = box_area(&node.box) * (double)n * b->options.item_cost;
+        box_add(&box, &t->node[first]), box_add(&box, &t->node[first + 1]);
+        built += box_area(&box);
+    } else for (size_t i = begin; i < end; i++) box_add(&box, &b->item[i]);
+    double leaf = box_area(&box) * (double)n * b->options.item_cost;
     if (n == 1 || (fits && !(leaf > built))) {  /* what hangs below, if anything, is not needed */
-        for (size_t i = begin + 1; built == HUGE_VAL && i < end; i++)
-            box_add(&node.box, &b->item[i].box);
         t->nodes = first, t->depth = deepest;
         built = leaf;
-    } else node.first = (uint32_t)first, node.count = 0;
-    t->node[at] = node;
+        t->node[at] = box_numbered(&box, begin, n);
+    } else t->node[at] = box_numbered(&box, first, 0);
     return built;
 }
 

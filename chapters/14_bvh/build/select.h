@@ -7,7 +7,8 @@
  * rest has not halved within three passes, it is the median of medians of five (Blum et al.),
  * whose rest is at most 7/10 n + 4: the sum stays O(n) for every input.
  *
- * The key of an item is the centre of its box along `axis`; equal centres are ordered by index. So
+ * The key of an item is the centre of its box along `axis` (twice, which spares halving it); equal
+ * centres are ordered by index, and one that is no number (of a box without end) has its place. So
  * no two keys are equal, a million coincident items are no special case, and which items come
  * first does not depend on the order in which they were given.
  *
@@ -21,21 +22,16 @@
 #include "../node.h"
 #include <stddef.h>
 
-typedef struct { bvh_box box; uint32_t index; } bvh_item;
-
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Centre of the item's box, kept within +-1e37 so that differences of centres stay finite; an
- * infinite box (of a point beyond the floats) has one, too. */
 static inline float item_centre(const bvh_item *i, int axis)
 {
-    float c = 0.5f * i->box.side[axis] + 0.5f * i->box.side[3 + axis];
-    return float_max(float_min(c, 1e37f), -1e37f);
+    return i->low[axis] - i->minus_high[axis];
 }
 
 static inline bool item_before(const bvh_item *a, const bvh_item *b, int axis)
 {
-    float x = item_centre(a, axis), y = item_centre(b, axis);
+    uint32_t x = float_key(item_centre(a, axis)), y = float_key(item_centre(b, axis));
     return x < y || (x == y && a->index < b->index);
 }
 

@@ -57,13 +57,13 @@ typedef struct { bvh_box box; size_t begin, end; } spatial_bin;
 
 static inline float spatial_plane(const bvh_box *b, int axis, int i)
 {
-    float lo = b->side[axis], hi = b->side[3 + axis];
+    float lo = b->low[axis], hi = box_high(b, axis);
     return i == most_bins ? hi : lo + (hi - lo) * ((float)i / most_bins);
 }
 
 static inline int spatial_bin_of(const bvh_box *b, int axis, float scale, float x)
 {
-    float i = (x - b->side[axis]) * scale;
+    float i = (x - b->low[axis]) * scale;
     return i > most_bins - 1 ? most_bins - 1 : i > 0 ? (int)i : 0;
 }
 
@@ -72,14 +72,14 @@ static inline void spatial_fill(const spatial_builder *b, const bvh_item *item, 
                                 spatial_bin bin[most_bins])
 {
     const bvh_box *all = &b->split.box;
-    float scale = most_bins / (all->side[3 + axis] - all->side[axis]);
+    float scale = most_bins / (box_high(all, axis) - all->low[axis]);
     for (int i = 0; i < most_bins; i++) bin[i] = (spatial_bin){box_empty(), 0, 0};
     for (size_t i = 0; i < n; i++) {
-        int first = spatial_bin_of(all, axis, scale, item[i].box.side[axis]);
-        int last = spatial_bin_of(all, axis, scale, item[i].box.side[3 + axis]);
+        int first = spatial_bin_of(all, axis, scale, item[i].low[axis]);
+        int last = spatial_bin_of(all, axis, scale, box_high(&item[i], axis));
         bin[first].begin++, bin[last].end++;
         for (int k = first; k <= last; k++) {
-            bvh_box part = item[i].box;
+            bvh_box part = item[i];
             if (first == last || b->clip(b->context, &item[i], axis, spatial_plane(all, axis, k),
                                          spatial_plane(all, axis, k + 1), &part))
                 box_add(&bin[k].box, &part);
@@ -114,7 +114,7 @@ static inline spatial_cut spatial_find(const spatial_builder *b, const bvh_item 
     spatial_cut best = {.cost = HUGE_VAL};
     spatial_bin bin[most_bins];
     for (int k = 0; k < 3; k++) {
-        float extent = b->split.box.side[3 + k] - b->split.box.side[k];
+        float extent = box_high(&b->split.box, k) - b->split.box.low[k];
         if (!(extent <= FLT_MAX && most_bins / extent <= FLT_MAX)) continue;  /* 0 is left out */
         spatial_fill(b, item, n, k, bin);
         spatial_sweep(b, bin, k, &best);
@@ -125,10 +125,10 @@ static inline spatial_cut spatial_find(const spatial_builder *b, const bvh_item 
 /* 0: goes left whole; 1: goes right whole; 2: is cut. By (14.11), of which only the sum matters. */
 static inline int spatial_side(spatial_cut *cut, const bvh_item *item)
 {
-    if (item->box.side[3 + cut->axis] <= cut->plane) return 0;
-    if (item->box.side[cut->axis] >= cut->plane) return 1;
+    if (box_high(item, cut->axis) <= cut->plane) return 0;
+    if (item->low[cut->axis] >= cut->plane) return 1;
     bvh_box l = cut->left, r = cut->right;
-    box_add(&l, &item->box), box_add(&r, &item->box);
+    box_add(&l, item), box_add(&r, item);
     double nl = (double)cut->n[0], nr = (double)cut->n[1];
     double both = box_area(&cut->left) * nl + box_area(&cut->right) * nr;
     double left = box_area(&l) * nl + box_area(&cut->right) * (nr - 1);
@@ -148,11 +148,11 @@ static inline size_t spatial_apply(const spatial_builder *b, spatial_cut *cut, b
         bvh_item *at = &item[left], r = *at;
         int side = spatial_side(cut, at);
         if (side == 2 && total < room) {
-            bvh_box l = at->box;
+            bvh_item l = r;
             bool in_l = b->clip(b->context, at, cut->axis, -INFINITY, cut->plane, &l);
-            bool in_r = b->clip(b->context, at, cut->axis, cut->plane, INFINITY, &r.box);
+            bool in_r = b->clip(b->context, at, cut->axis, cut->plane, INFINITY, &r);
             side = in_r && !in_l;
-            if (in_l) at->box = l;
+            if (in_l) *at = l;
             if (in_l && in_r) item[total++] = r;
             if (side) *at = r;
         }
@@ -168,8 +168,8 @@ static inline size_t spatial_apply(const spatial_builder *b, spatial_cut *cut, b
 static inline double spatial_overlap(const splitter *s, const bvh_item *item, size_t n, size_t left)
 {
     bvh_box l = box_empty(), r = box_empty();
-    for (size_t i = 0; i < left; i++) box_add(&l, &item[i].box);
-    for (size_t i = left; i < n; i++) box_add(&r, &item[i].box);
+    for (size_t i = 0; i < left; i++) box_add(&l, &item[i]);
+    for (size_t i = left; i < n; i++) box_add(&r, &item[i]);
     return box_shared_area(&l, &r) / box_area(&s->box);
 }
 
@@ -182,7 +182,7 @@ static inline void spatial_node(spatial_builder *b, size_t at, size_t begin, siz
     bvh_item *item = b->item + begin;
     splitter *s = &b->split;
     split_measure(s, item, n);
-    t->node[at] = (bvh_node){s->box, (uint32_t)t->items, (uint32_t)n};
+    t->node[at] = box_numbered(&s->box, t->items, n);
     if (depth > t->depth) t->depth = depth;
     bool fits = n <= (size_t)b->options.leaf, deep = depth + log2_above(n) >= bvh_most_depth;
     double all = (double)n * s->item_cost;  /* cost without any cut */

@@ -34,9 +34,11 @@
 
 typedef struct {
     double item_cost;         /* of testing an item, where testing a pair of boxes costs 1 */
-    bvh_box box, centres;     /* in: box of the items, box of their centres */
     int depth;                /* in: of the node; 0: the root */
+    bvh_box box, centres;     /* in: around the items; around their centres, twice as large */
     double cost;              /* out: of the best split, HUGE_VAL if there is none */
+    float scale[3];           /* bins a unit; 0: all centres the same, or too far apart */
+    int bins;
     radix_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
     float *areas;             /* [n] */
 } splitter;
@@ -45,8 +47,8 @@ typedef struct {
 
 static inline int box_longest(const bvh_box *b)
 {
-    float x = b->side[3] - b->side[0], y = b->side[4] - b->side[1];
-    float z = b->side[5] - b->side[2];
+    float x = box_high(b, 0) - b->low[0], y = box_high(b, 1) - b->low[1];
+    float z = box_high(b, 2) - b->low[2];
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
@@ -69,7 +71,7 @@ static inline size_t split_at_plane(bvh_item *item, size_t n, int axis, float cu
 
 static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, int axis)
 {
-    float lo = s->centres.side[axis], hi = s->centres.side[3 + axis];
+    float lo = s->centres.low[axis], hi = box_high(&s->centres, axis);
     size_t left = split_at_plane(item, n, axis, 0.5f * lo + 0.5f * hi);
     return left == 0 || left == n ? split_by_number(item, n, box_longest(&s->centres)) : left;
 }
@@ -97,7 +99,7 @@ static inline size_t split_median(splitter *s, bvh_item *item, size_t n)
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { most_bins = 16 };
-typedef struct { bvh_box box; uint32_t n; } split_bin;
+typedef struct { bvh_box box[most_bins]; size_t n[most_bins]; } split_bins;
 typedef struct { double cost; int axis, bin; } split_choice;
 
 static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins; }
@@ -107,34 +109,39 @@ static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins
  * parts do not come from the bins but are measured. */
 static inline size_t sample_step(size_t n) { return n < 32768 ? 1 : n / 16384 | 1; }
 
-static inline float bin_scale(const splitter *s, int axis, int bins)
+static inline void split_scale(splitter *s, size_t n)
 {
-    float extent = s->centres.side[3 + axis] - s->centres.side[axis];
-    float scale = (float)bins * 0.9999f / extent;
-    return scale < FLT_MAX ? scale : 0;  /* no extent, or nearly none: everything in bin 0 */
+    s->bins = bins_for(n);
+    for (int k = 0; k < 3; k++) {
+        float extent = box_high(&s->centres, k) - s->centres.low[k];
+        float scale = (float)s->bins * 0.9999f / extent;
+        s->scale[k] = scale < FLT_MAX ? scale : 0;
+    }
 }
 
-static inline int bin_of(const splitter *s, const bvh_item *i, int axis, float scale)
+/* The last one, if inf - inf or 0 times that is no number. */
+static inline int bin_of(const splitter *s, const bvh_item *i, int axis)
 {
-    return (int)((item_centre(i, axis) - s->centres.side[axis]) * scale);
+    float at = (item_centre(i, axis) - s->centres.low[axis]) * s->scale[axis];
+    return (int)float_min(at, (float)(s->bins - 1));
 }
 
 /* Areas times numbers from the right, then from the left; the best plane is after bin
  * `best->bin`. */
-static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_choice *best)
+static inline void sweep_bins(const splitter *s, const split_bins *b, int axis, split_choice *best)
 {
     double right[most_bins];
     bvh_box box = box_empty();
     size_t n = 0;
-    for (int i = bins - 1; i > 0; i--) {
-        box_add(&box, &bin[i].box);
-        n += bin[i].n;
+    for (int i = s->bins - 1; i > 0; i--) {
+        box_add(&box, &b->box[i]);
+        n += b->n[i];
         right[i] = n ? box_area(&box) * (double)n : HUGE_VAL;
     }
     box = box_empty(), n = 0;
-    for (int i = 0; i + 1 < bins; i++) {
-        box_add(&box, &bin[i].box);
-        n += bin[i].n;
+    for (int i = 0; i + 1 < s->bins; i++) {
+        box_add(&box, &b->box[i]);
+        n += b->n[i];
         double cost = n ? box_area(&box) * (double)n + right[i + 1] : HUGE_VAL;
         if (cost < best->cost) *best = (split_choice){cost, axis, i};
     }
@@ -149,27 +156,25 @@ static inline double split_cost(const splitter *s, double sum)
 
 static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 {
-    split_bin bin[3][most_bins];
+    split_bins bins[3];
     split_choice best = {HUGE_VAL, 0, 0};
-    int bins = bins_for(n);
-    float scale[3];
-    for (int k = 0; k < 3; k++) {
-        scale[k] = bin_scale(s, k, bins);
-        for (int i = 0; i < bins; i++) bin[k][i] = (split_bin){box_empty(), 0};
-    }
+    split_scale(s, n);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < s->bins; i++) bins[k].box[i] = box_empty(), bins[k].n[i] = 0;
     for (size_t i = 0; i < n; i += sample_step(n))
+        EIGHT_UNROLL
         for (int k = 0; k < 3; k++) {
-            split_bin *b = &bin[k][bin_of(s, &item[i], k, scale[k])];
-            box_add(&b->box, &item[i].box);
-            b->n++;
+            int at = bin_of(s, &item[i], k);
+            box_add(&bins[k].box[at], &item[i]);
+            bins[k].n[at]++;
         }
     for (int k = 0; k < 3; k++)
-        if (scale[k] > 0) sweep_bins(bin[k], bins, k, &best);
+        if (s->scale[k] > 0) sweep_bins(s, &bins[k], k, &best);
     s->cost = split_cost(s, best.cost);
     if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
     size_t left = 0, right = n;
     while (left < right) {
-        if (bin_of(s, &item[left], best.axis, scale[best.axis]) <= best.bin) left++;
+        if (bin_of(s, &item[left], best.axis) <= best.bin) left++;
         else item_swap(&item[left], &item[--right]);
     }
     return left;
@@ -190,16 +195,16 @@ static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
     size_t left = 0;
     int axis = 0;
     for (int k = 0; k < 3; k++) {
-        if (!(s->centres.side[k] < s->centres.side[3 + k])) continue;  /* nothing to cut between */
+        if (!(s->centres.low[k] < box_high(&s->centres, k))) continue;  /* nothing to cut between */
         sort_along(s, item, n, k);
         bvh_box box = box_empty();
         for (size_t i = n - 1; i > 0; i--) {
-            box_add(&box, &item[s->pairs[i].place].box);
+            box_add(&box, &item[s->pairs[i].place]);
             s->areas[i] = (float)box_area(&box);
         }
         box = box_empty();
         for (size_t i = 1; i < n; i++) {
-            box_add(&box, &item[s->pairs[i - 1].place].box);
+            box_add(&box, &item[s->pairs[i - 1].place]);
             double cost = box_area(&box) * (double)i + (double)s->areas[i] * (double)(n - i);
             if (cost < best) best = cost, left = i, axis = k;
         }
@@ -222,12 +227,9 @@ static inline void split_measure(splitter *s, const bvh_item *item, size_t n)
 {
     s->box = s->centres = box_empty();
     for (size_t i = 0; i < n; i++) {
-        box_add(&s->box, &item[i].box);
-        for (int k = 0; k < 3; k++) {
-            float c = item_centre(&item[i], k);
-            s->centres.side[k] = float_min(c, s->centres.side[k]);
-            s->centres.side[3 + k] = float_max(c, s->centres.side[3 + k]);
-        }
+        bvh_box centre;
+        for (int k = 0; k < 8; k++) centre.side[k] = item[i].side[k] - item[i].side[k ^ 4];
+        box_add(&s->box, &item[i]), box_add(&s->centres, &centre);
     }
 }
 

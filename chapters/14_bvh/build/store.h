@@ -39,8 +39,8 @@ typedef struct {
     memory held;         /* held.full: this is no tree */
 } bvh_tree;
 
-/* Box of what of the item is in item.box and in the slab [lo, hi]; false if that is nothing. It may
- * be too large, never too small: a search must find every point of the item. */
+/* Box of what of the item is in its own box and in the slab [lo, hi]; false if that is nothing. It
+ * may be too large, never too small: a search must find every point of the item. */
 typedef bool bvh_clip(const void *context, const bvh_item *item, int axis, float lo, float hi,
                       bvh_box *out);
 
@@ -77,7 +77,8 @@ static inline bool tree_nodes(bvh_tree *t, size_t room)
 static inline bool tree_begin(bvh_tree *t, size_t room)
 {
     if (!tree_nodes(t, room)) return false;
-    t->node[0] = t->node[1] = (bvh_node){box_empty(), 0, 0};
+    bvh_box none = box_empty();
+    t->node[0] = t->node[1] = box_numbered(&none, 0, 0);
     t->nodes = 2;
     return true;
 }

@@ -45,7 +45,7 @@ static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, f
                                bool seen, int depth)
 {
     const bvh_node *n = &x->b->shapes.node[at];
-    float exit, enter = box_enter(&n->box, q, INFINITY, &exit);
+    float exit, enter = box_enter(n, q, INFINITY, &exit);
     x->depth[at] = depth, x->name[at] = (char)('A' + x->names++);
     if (depth > x->deepest) x->deepest = depth;
     x->state[at] = !seen ? BOXES_UNSEEN : enter > exit ? BOXES_MISSED
@@ -66,11 +66,12 @@ static inline void boxes_judge(boxes_figure *x, uint32_t at, const box_ray *q, f
 static inline void boxes_boxes(figure *g, const boxes_figure *x)
 {
     for (uint32_t i = 0; i < x->b->shapes.nodes; i++) {
-        const float *s = x->b->shapes.node[i].box.side;
+        const bvh_node *n = &x->b->shapes.node[i];
         int depth = x->depth[i];
         double out = 5.0 * (x->deepest - depth) / g->unit, lo[2], hi[2];
         if (i == 1) continue;
-        for (int k = 0; k < 2; k++) lo[k] = (double)s[k] - out, hi[k] = (double)s[3 + k] + out;
+        for (int k = 0; k < 2; k++)
+            lo[k] = (double)n->low[k] - out, hi[k] = (double)box_high(n, k) + out;
         double xy[8] = {lo[0], lo[1], hi[0], lo[1], hi[0], hi[1], lo[0], hi[1]};
         char text[4] = {x->name[i], 0};
         figure_polygon(g, 4, xy, FIGURE_GREY, 0, boxes_colour[depth]);
@@ -135,7 +136,7 @@ static inline void draw_nested(const options *o)
     items all = items_of_scene(&s);
     if (!bvh_build(&all, (bvh_options){"median", 3, 1, SIZE_MAX}, &b, &f)) fail(f);
     tree_search(&b.shapes, r, box_ray_of, boxes_leaf, &context, false, &h, NULL);
-    box_ray q = box_ray_of(r, &b.shapes.node[0].box, NULL);
+    box_ray q = box_ray_of(r, b.shapes.node, NULL);
     boxes_judge(&x, 0, &q, box_ray_limit(&q, h.t), true, 0);
     figure_origin(&g, 40, 356, 46);
     boxes_boxes(&g, &x);

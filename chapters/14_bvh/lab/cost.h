@@ -25,11 +25,11 @@ typedef struct { double nodes, tests; } tree_cost;
 static inline tree_cost tree_cost_of(const bvh_tree *t)
 {
     tree_cost c = {0, 0};
-    double root = t->items ? box_area(&t->node[0].box) : 1;
+    double root = t->items ? box_area(&t->node[0]) : 1;
     for (size_t i = 0; t->items && i < t->nodes; i++) {
         const bvh_node *n = &t->node[i];
         if (i == 1) continue;
-        double part = box_area(&n->box) / root;
+        double part = box_area(n) / root;
         if (n->count) c.tests += part * n->count;
         else c.nodes += part;
     }

@@ -28,7 +28,7 @@ static inline double greed_best(const bvh_item *item, int n)
     for (uint32_t set = 1; set < sets; set++) {
         bvh_box box = box_empty();
         for (int i = 0; i < n; i++)
-            if (set >> i & 1) box_add(&box, &item[i].box);
+            if (set >> i & 1) box_add(&box, &item[i]);
         area[set] = box_area(&box);
         if (!(set & (set - 1))) continue;  /* one item: a leaf */
         double least = HUGE_VAL;

@@ -39,7 +39,7 @@ static inline bool pixel_box(pixel_walk *w, uint32_t node, int depth, float *ent
     const bvh_node *n = &w->b->tree.node[node];
     double t = 1 / (double)w->ray.scale;
     float exit, limit = box_ray_limit(&w->ray, w->q.r.tmax);
-    *enter = box_enter(&n->box, &w->ray, INFINITY, &exit);
+    *enter = box_enter(n, &w->ray, INFINITY, &exit);
     pixel_row row = {node, depth, (double)*enter * t, (double)exit * t,
                      *enter > exit ? PIXEL_MISSED : *enter > limit ? PIXEL_DROPPED
                      : n->count ? PIXEL_LEAF : PIXEL_ENTERED};
@@ -169,7 +169,7 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
                  (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y, (double)r.d.z);
     explain_line(0, "(1.2), (1.4)", "p(t) = o + t d, t from %g to %g", (double)r.tmin,
                  (double)r.tmax);
-    if (b.tree.items) w->ray = box_ray_of(r, &b.tree.node[0].box, NULL);
+    if (b.tree.items) w->ray = box_ray_of(r, b.tree.node, NULL);
     if (b.tree.items && pixel_box(w, 0, 0, &enter)) pixel_visit(w, 0, 1);
 
     bool found = bvh_mesh_hit_counted(&b, r, &h, &work);

@@ -37,11 +37,12 @@ static inline void two_tree(figure *g, const bvh_tree *tree, const char *colour,
                             double root)
 {
     for (size_t k = 0; k < tree->nodes; k++) {
-        const float *s = tree->node[k].box.side;
-        double x0 = (double)s[0], y0 = (double)s[1], x1 = (double)s[3], y1 = (double)s[4];
+        const bvh_node *n = &tree->node[k];
+        double x0 = (double)n->low[0], x1 = (double)box_high(n, 0);
+        double y0 = (double)n->low[1], y1 = (double)box_high(n, 1);
         double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
         if (k == 1) continue;  /* not used */
-        figure_polygon(g, 4, xy, colour, !k ? root : tree->node[k].count ? leaf : 0, colour);
+        figure_polygon(g, 4, xy, colour, !k ? root : n->count ? leaf : 0, colour);
     }
 }
 
