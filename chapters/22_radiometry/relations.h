@@ -2,7 +2,8 @@
  *
  * A relation has a closed form, and an experiment whose mean is that number if the law is right:
  * one call of `sample` is one ray or one photon (光子), weighted. relation_measure(k, seed, n) does
- * n of them. `holds` is false for those that are often believed, and wrong: there z must be huge.
+ * n of them, of relation_of(k), k < relations. `holds` is false for those that are often believed,
+ * and wrong: there z must be huge.
  *
  *   Omega = A / r^2                       (22.1)    E = dPhi / dA                       (22.6)
  *   d omega = sin theta d theta d phi     (22.2)    E = I cos theta / r^2               (22.7)
@@ -23,7 +24,7 @@
 
 typedef struct {
     const char *name, *unit;
-    double (*closed)(void);
+    double closed;
     real (*sample)(random_stream *);
     bool holds;
 } relation;
@@ -39,51 +40,31 @@ static const vec3 seen_from = {0, 0, 0}, seen_up = {0, 0, 1};
 
 /* ---- solid angle ---- */
 
-static inline double four_pi(void) { return 4 * (double)pi; }
-static inline double two_pi(void) { return 2 * (double)pi; }
-static inline double plain_pi(void) { return (double)pi; }
-static inline double cap_closed(void) { return (double)cap_solid_angle(pi / 6); }
-static inline double ball_closed(void) { return (double)sphere_solid_angle(ball, seen_from); }
-static inline double sail_closed(void)
-{
-    return (double)fabs(triangle_solid_angle(sail, seen_from));
-}
-static inline double panel_closed(void)
-{
-    return (double)fabs(rectangle_solid_angle(ceiling_pane, seen_from));
-}
-
 /* theta and phi uniform in their intervals: (22.2) says how much each counts. */
 static inline real all_sample(random_stream *s) { return 2 * pi * pi * sin(pi * random_next(s)); }
 
-static inline real any_direction_in(random_stream *s, vec3 *w)
+/* Uniform: 4 pi times the share of them that meets a thing is its solid angle. */
+static inline vec3 any_direction(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
-    *w = sample_sphere(u, v);
-    return 4 * pi;
+    return sample_sphere(u, v);
 }
 
 static inline real cap_sample(random_stream *s)
 {
-    vec3 w;
-    real whole = any_direction_in(s, &w);
-    return w.z > cos(pi / 6) ? whole : 0;
+    return any_direction(s).z > cos(pi / 6) ? 4 * pi : 0;
 }
 
 static inline real ball_sample(random_stream *s)
 {
-    vec3 w;
     hit h;
-    real whole = any_direction_in(s, &w);
-    return sphere_hit(ball, ray_from(seen_from, w), &h) ? whole : 0;
+    return sphere_hit(ball, ray_from(seen_from, any_direction(s)), &h) ? 4 * pi : 0;
 }
 
 static inline real sail_sample(random_stream *s)
 {
-    vec3 w;
     hit h;
-    real whole = any_direction_in(s, &w);
-    return triangle_hit(sail, ray_from(seen_from, w), &h) ? whole : 0;
+    return triangle_hit(sail, ray_from(seen_from, any_direction(s)), &h) ? 4 * pi : 0;
 }
 
 /* Does the ray from the origin meet it? Where the plane is met, in shares of s and t. */
@@ -98,20 +79,17 @@ static inline bool rectangle_met(rectangle r, vec3 w)
 
 static inline real panel_sample(random_stream *s)
 {
-    vec3 w;
-    real whole = any_direction_in(s, &w);
-    return rectangle_met(ceiling_pane, w) ? whole : 0;
+    return rectangle_met(ceiling_pane, any_direction(s)) ? 4 * pi : 0;
 }
 
 /* ---- flux and intensity: I = 1 W/sr, everywhere or along the axis ---- */
 
-/* A spotlight, I = cos^8 theta in front: 2 pi / 9. */
-static inline double spot_closed(void) { return 2 * (double)pi / 9; }
+/* A spotlight, I = cos^8 theta in front. */
+#define spot_flux (2 * (double)pi / 9)
 static inline real spot_sample(random_stream *s)
 {
-    vec3 w;
-    real whole = any_direction_in(s, &w), z2 = w.z * w.z;
-    return w.z > 0 ? whole * z2 * z2 * z2 * z2 : 0;
+    real z = any_direction(s).z, z2 = z * z;
+    return z > 0 ? 4 * pi * z2 * z2 * z2 * z2 : 0;
 }
 
 /* ---- irradiance: photons on areas ---- */
@@ -127,15 +105,11 @@ static inline real caught(random_stream *s, real r)
     return at.z > side ? power / area : 0;
 }
 
-static inline double one(void) { return 1; }
-static inline double quarter(void) { return 0.25; }
-static inline double hundredth(void) { return 0.01; }
 static inline real caught_1(random_stream *s) { return caught(s, 1); }
 static inline real caught_2(random_stream *s) { return caught(s, 2); }
 static inline real caught_10(random_stream *s) { return caught(s, 10); }
 
 /* A beam of 1 W/m^2, 2 m wide and high, onto a plate of 1 m^2 that is turned by 60 degrees. */
-static inline double half(void) { return 0.5; }
 static inline real tilted_sample(random_stream *s)
 {
     real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, cosine = 0.5;
@@ -185,24 +159,6 @@ static inline real lambert_sample(random_stream *s)
 
 /* ---- irradiance of lights ---- */
 
-static inline double ball_e(void) { return (double)sphere_irradiance(ball, seen_from, seen_up); }
-static inline double sunk_ball_e(void)
-{
-    return (double)sphere_irradiance(sunk_ball, seen_from, seen_up);
-}
-static inline double unclipped_e(void)
-{
-    return (double)sphere_irradiance_unclipped(sunk_ball, seen_from, seen_up);
-}
-static inline double panel_e(void)
-{
-    return (double)rectangle_irradiance(ceiling_pane, seen_from, seen_up);
-}
-static inline double sunk_panel_e(void)
-{
-    return (double)rectangle_irradiance(sunk_panel, seen_from, seen_up);
-}
-
 /* By rays, cosine-distributed: pi for each that meets the light. */
 static inline real rays_to(random_stream *s, sphere b)
 {
@@ -220,53 +176,64 @@ static inline real area_term(rectangle r, vec3 p, vec3 n, real u, real v)
     real r2 = vdot(y, y);
     return real_max(vdot(n, y), 0) * real_max(-vdot(m, y), 0) / (r2 * r2);  /* |m| is the area */
 }
-static inline real panel_e_sample(random_stream *s)
+static inline real points_of(random_stream *s, rectangle r)
 {
     real u = random_next(s), v = random_next(s);
-    return area_term(ceiling_pane, seen_from, seen_up, u, v);
+    return area_term(r, seen_from, seen_up, u, v);
 }
-static inline real sunk_panel_e_sample(random_stream *s)
-{
-    real u = random_next(s), v = random_next(s);
-    return area_term(sunk_panel, seen_from, seen_up, u, v);
-}
+static inline real panel_e_sample(random_stream *s) { return points_of(s, ceiling_pane); }
+static inline real sunk_panel_e_sample(random_stream *s) { return points_of(s, sunk_panel); }
 
 /* ---- all of them ---- */
 
 enum { relations = 24 };
-static const relation relation_list[relations] = {
-    {"all directions, (22.2)", "sr", four_pi, all_sample, true},
-    {"cap of 30 degrees", "sr", cap_closed, cap_sample, true},
-    {"sphere, R = 1, d = 2", "sr", ball_closed, ball_sample, true},
-    {"triangle", "sr", sail_closed, sail_sample, true},
-    {"square, 2 x 2, d = 2", "sr", panel_closed, panel_sample, true},
-    {"flux, I = 1 everywhere: 4 pi I", "W", four_pi, all_sample, true},
-    {"flux of a spotlight, I = cos^8", "W", spot_closed, spot_sample, true},
-    {"- is it 4 pi I, as the notes say?", "W", four_pi, spot_sample, false},
-    {"irradiance at 1 m, I = 1", "W/m^2", one, caught_1, true},
-    {"irradiance at 2 m", "W/m^2", quarter, caught_2, true},
-    {"irradiance at 10 m", "W/m^2", hundredth, caught_10, true},
-    {"- beam, plate turned by 60 degrees", "W/m^2", one, tilted_sample, false},
-    {"the same with the cosine", "W/m^2", half, tilted_sample, true},
-    {"radiance of a wall from 1 m", "W/(m^2 sr)", one, meter_1, true},
-    {"radiance of a wall from 10 m", "W/(m^2 sr)", one, meter_10, true},
-    {"radiance of a wall from 1000 m", "W/(m^2 sr)", one, meter_1000, true},
-    {"intensity of a disk, 60 degrees off", "W/sr", half, lambert_sample, true},
-    {"irradiance of a white sky: pi L", "W/m^2", plain_pi, sky_sample, true},
-    {"- is it 2 pi L, without the cosine?", "W/m^2", two_pi, sky_sample, false},
-    {"irradiance of the sphere", "W/m^2", ball_e, ball_e_sample, true},
-    {"of one partly below the horizon", "W/m^2", sunk_ball_e, sunk_ball_e_sample, true},
-    {"- without the cut, (22.10)", "W/m^2", unclipped_e, sunk_ball_e_sample, false},
-    {"irradiance of the square", "W/m^2", panel_e, panel_e_sample, true},
-    {"of one partly below the horizon", "W/m^2", sunk_panel_e, sunk_panel_e_sample, true},
-};
+
+static inline relation relation_of(size_t k)
+{
+    const vec3 p = seen_from, n = seen_up;
+    const double one_pi = (double)pi, four_pi = 4 * one_pi;
+    const double uncut = (double)sphere_irradiance_unclipped(sunk_ball, p, n);
+    const relation list[relations] = {
+        {"all directions, (22.2)", "sr", four_pi, all_sample, true},
+        {"cap of 30 degrees", "sr", (double)cap_solid_angle(pi / 6), cap_sample, true},
+        {"sphere, R = 1, d = 2", "sr", (double)sphere_solid_angle(ball, p), ball_sample, true},
+        {"triangle", "sr", fabs((double)triangle_solid_angle(sail, p)), sail_sample, true},
+        {"square, 2 x 2, d = 2", "sr", fabs((double)rectangle_solid_angle(ceiling_pane, p)),
+         panel_sample, true},
+        {"flux, I = 1 everywhere: 4 pi I", "W", four_pi, all_sample, true},
+        {"flux of a spotlight, I = cos^8", "W", spot_flux, spot_sample, true},
+        {"- is it 4 pi I, as the notes say?", "W", four_pi, spot_sample, false},
+        {"irradiance at 1 m, I = 1", "W/m^2", 1, caught_1, true},
+        {"irradiance at 2 m", "W/m^2", 0.25, caught_2, true},
+        {"irradiance at 10 m", "W/m^2", 0.01, caught_10, true},
+        {"- beam, plate turned by 60 degrees", "W/m^2", 1, tilted_sample, false},
+        {"the same with the cosine", "W/m^2", 0.5, tilted_sample, true},
+        {"radiance of a wall from 1 m", "W/(m^2 sr)", 1, meter_1, true},
+        {"radiance of a wall from 10 m", "W/(m^2 sr)", 1, meter_10, true},
+        {"radiance of a wall from 1000 m", "W/(m^2 sr)", 1, meter_1000, true},
+        {"intensity of a disk, 60 degrees off", "W/sr", 0.5, lambert_sample, true},
+        {"irradiance of a white sky: pi L", "W/m^2", one_pi, sky_sample, true},
+        {"- is it 2 pi L, without the cosine?", "W/m^2", 2 * one_pi, sky_sample, false},
+        {"irradiance of the sphere", "W/m^2", (double)sphere_irradiance(ball, p, n), ball_e_sample,
+         true},
+        {"of one partly below the horizon", "W/m^2", (double)sphere_irradiance(sunk_ball, p, n),
+         sunk_ball_e_sample, true},
+        {"- without the cut, (22.10)", "W/m^2", uncut, sunk_ball_e_sample, false},
+        {"irradiance of the square", "W/m^2", (double)rectangle_irradiance(ceiling_pane, p, n),
+         panel_e_sample, true},
+        {"of one partly below the horizon", "W/m^2",
+         (double)rectangle_irradiance(sunk_panel, p, n), sunk_panel_e_sample, true},
+    };
+    return list[k];
+}
 
 static inline estimate relation_measure(size_t k, uint64_t seed, size_t n)
 {
+    const relation of = relation_of(k);
     estimate e = {0};
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(seed, k, i);
-        e = estimate_add(e, (double)relation_list[k].sample(&s));
+        e = estimate_add(e, (double)of.sample(&s));
     }
     return e;
 }

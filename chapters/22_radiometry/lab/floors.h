@@ -50,7 +50,7 @@ static inline real floor_exact(floor_light light, real x, real y)
 static inline double floor_flux(floor_light light)
 {
     double area = light == FLOOR_SPHERE ? 4 * (double)pi : 6;
-    return light == FLOOR_SPOTLIGHT ? spot_closed() : (double)pi * area;
+    return light == FLOOR_SPOTLIGHT ? spot_flux : (double)pi * area;
 }
 
 /* Where it starts and where it goes. */

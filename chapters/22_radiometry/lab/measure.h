@@ -18,10 +18,10 @@ static inline void measure_relations(const options *o)
     table t = table_new("Relations, measured; those with - are wrong, and z shows it",
                         "quantity|unit|closed form|error estimate|error standard|error z");
     for (size_t k = 0; k < relations; k++) {
-        const relation *r = &relation_list[k];
+        const relation r = relation_of(k);
         estimate e = relation_measure(k, o->seed, n);
-        double c = r->closed(), z = (e.mean - c) / estimate_error(e);
-        table_text(&t, "%s", r->name), table_text(&t, "%s", r->unit);
+        double c = r.closed, z = (e.mean - c) / estimate_error(e);
+        table_text(&t, "%s", r.name), table_text(&t, "%s", r.unit);
         table_text(&t, "%.5f", c), table_text(&t, "%.5f", e.mean);
         table_number(&t, estimate_error(e)), table_text(&t, "%.1f", z);
     }
