@@ -151,8 +151,7 @@ static inline ray_shear shear_of(ray r)
 
 /* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles
  * that share the corner see it at the same place, to the last bit. */
-__attribute__((always_inline))
-static inline vec3 shear_corner(const vec3 *corner, const ray_shear *s)
+fast_inline vec3 shear_corner(const vec3 *corner, const ray_shear *s)
 {
     const real *p = (const real *)corner;
     real z = p[s->kz] - s->o.z;
@@ -189,8 +188,7 @@ static bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 
 /* The second half of the test, for the few triangles that pass the first: distance and interval. In
  * space the triangle has area: shear_distance asks that, too. */
-__attribute__((always_inline))
-static inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s, ray r, hit *out)
+fast_inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s, ray r, hit *out)
 {
     real det = e.x + e.y + e.z, size = fabs(det);
     real products = fabs(a.x * c.y) + fabs(b.x * a.y) + fabs(c.x * b.y);

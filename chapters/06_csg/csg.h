@@ -47,9 +47,8 @@ typedef size_t csg_merge_function(csg_operation, const csg_crossing *a, size_t n
                                   const csg_crossing *b, size_t nb, csg_crossing *out);
 
 /* a at `start`, b behind it up to n: what they make takes the place of both; how far it reaches. */
-__attribute__((always_inline))
-static inline size_t csg_join(const csg_node *x, csg_frame f, size_t n, csg_crossing *list,
-                              csg_merge_function *merge)
+fast_inline size_t csg_join(const csg_node *x, csg_frame f, size_t n, csg_crossing *list,
+                            csg_merge_function *merge)
 {
     size_t na = f.middle - f.start, nb = n - f.middle;
     if (nb == 0) return x->what == CSG_INTERSECTION ? f.start : n;
@@ -61,9 +60,8 @@ static inline size_t csg_join(const csg_node *x, csg_frame f, size_t n, csg_cros
 
 /* The spans of the whole, right where r.tmin <= t <= r.tmax. `leaf` and `merge` are parameters for
  * those who want to try others. */
-__attribute__((always_inline))
-static inline size_t csg_walk(const csg *c, ray r, csg_crossing **out, csg_leaf_function *leaf,
-                              csg_merge_function *merge)
+fast_inline size_t csg_walk(const csg *c, ray r, csg_crossing **out, csg_leaf_function *leaf,
+                            csg_merge_function *merge)
 {
     if (!vfinite(r.o) || !vfinite(r.d) || vzero(r.d) || c->nodes == 0) return 0;
     csg_frame *frame = csg_arena((c->depth + 1) * sizeof *frame

@@ -70,8 +70,7 @@ static inline bool items_occluded(const items *x, ray r)
 }
 
 /* Asks item i. True if it is closer than the best so far (any: if it is hit at all). */
-__attribute__((always_inline))
-static inline bool query_ask(query *q, const items *x, uint32_t i, bool any)
+fast_inline bool query_ask(query *q, const items *x, uint32_t i, bool any)
 {
     hit h;
     if (x->m ? !mesh_triangle_hit(x->m, i, &q->shear, q->r, &h)

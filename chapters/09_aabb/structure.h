@@ -145,8 +145,7 @@ static inline real query_delta(ray r, aabb all)
 }
 
 /* Keeps h as the best hit if it comes before it. */
-__attribute__((always_inline))
-static inline bool query_improves(query *q, hit h)
+fast_inline bool query_improves(query *q, hit h)
 {
     if (!hit_before(h, q->best)) return false;
     q->best = h;

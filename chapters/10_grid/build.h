@@ -145,9 +145,8 @@ static inline bool grid_build(const items *x, grid_options how, grid *out, failu
 }
 
 /* Asks the items of a cell; true if one was closer than the best so far (any: was hit). */
-__attribute__((always_inline))
-static inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
-                            search_work *work)
+fast_inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
+                          search_work *work)
 {
     bool found = false;
     if (!cell_marked(&g->lists, cell)) return false;

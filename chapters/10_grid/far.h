@@ -26,9 +26,8 @@ static inline bool grid_search_all(const grid *g, ray r, bool any, hit *out, sea
 }
 
 /* Asks all cells from lo to hi, both corners included; true if something was hit. */
-__attribute__((always_inline))
-static inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, vec3 hi, query *q,
-                                  mailbox *seen, bool any, search_work *work)
+fast_inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, vec3 hi, query *q,
+                                mailbox *seen, bool any, search_work *work)
 {
     const lattice *l = &g->cells;
     int i[3], j[3];
@@ -52,9 +51,8 @@ static inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, ve
 /* On axis k the ray moves fastest, so where it passes the sides of a layer is as exact as any of
  * its points: within 16 epsilon D. Layers are delta thicker on either side, and a hit in one
  * has its t between those of its sides: a layer that begins beyond the best hit ends the search. */
-__attribute__((always_inline))
-static inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
-                                      search_work *work)
+fast_inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
+                                    search_work *work)
 {
     const lattice *l = &g->cells;
     real delta = 2 * query_delta(r, g->box) + g->margin, cells = 1;

@@ -42,8 +42,7 @@
 
 /* The part of the line within the box, by (9.2); where it is parallel, within the box or not. No
  * care for rounding: the box is wider than what it holds by the margin. */
-__attribute__((always_inline))
-static inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
+fast_inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
 {
     vec3 u = vmul(vsub(box.lo, a->o), a->inverse), v = vmul(vsub(box.hi, a->o), a->inverse);
     vec3 lo = vmin(u, v), hi = vmax(u, v);
@@ -57,8 +56,7 @@ static inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
 }
 
 /* 4. The next cell is entered if it begins at or before the end. */
-__attribute__((always_inline))
-static inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_work *work)
+fast_inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_work *work)
 {
     if (g->entered == 0 || !ray_is_usable(r)) return false;
     if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, r, any, out, work);

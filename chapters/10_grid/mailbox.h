@@ -16,8 +16,7 @@
 #ifndef MAILBOX_H
 #define MAILBOX_H
 
-#include "../../common/posix.h"
-#include <stdbool.h>
+#include "../../common/vec3.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -33,8 +32,7 @@ static inline mailbox mailbox_new(void)  /* UINT32_MAX is the number of no item 
     return m;
 }
 
-__attribute__((always_inline))
-static inline bool mailbox_has(mailbox *m, uint32_t i)
+fast_inline bool mailbox_has(mailbox *m, uint32_t i)
 {
     uint32_t *place = &m->item[i % mailbox_places];
     if (*place == i) return true;

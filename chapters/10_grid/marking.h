@@ -69,8 +69,7 @@ static inline bool lists_begin(size_t cells, size_t most_bytes, cell_lists *l, f
     return true;
 }
 
-__attribute__((always_inline))
-static inline void lists_take(cell_lists *l, size_t cell, uint32_t i)
+fast_inline void lists_take(cell_lists *l, size_t cell, uint32_t i)
 {
     if (l->counting) l->references++;
     else if (l->item) l->item[--l->first[cell]] = i;
@@ -131,8 +130,7 @@ static inline void lists_finish(cell_lists *l)
             l->marked[c / 64] |= (uint64_t)1 << c % 64, l->marked_cells++;
 }
 
-__attribute__((always_inline))
-static inline bool cell_marked(const cell_lists *l, size_t cell)
+fast_inline bool cell_marked(const cell_lists *l, size_t cell)
 {
     return l->marked[cell / 64] >> cell % 64 & 1;
 }

@@ -54,8 +54,7 @@ static inline void nested_free(nested *x)
     x->part_of = NULL, x->part = NULL;
 }
 
-__attribute__((always_inline))
-static inline lattice nested_lattice(const nested_part *p)
+fast_inline lattice nested_lattice(const nested_part *p)
 {
     return lattice_of(p->box, (int[3]){p->n[0], p->n[1], p->n[2]});
 }
@@ -161,9 +160,8 @@ static inline bool nested_build(const items *x, nested_options how, nested *out,
 }
 
 /* All inner cells of an outer one. */
-__attribute__((always_inline))
-static inline bool nested_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
-                              search_work *work)
+fast_inline bool nested_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
+                            search_work *work)
 {
     const nested *x = (const nested *)g;  /* its first member */
     const nested_part *p = &x->part[x->part_of[cell]];
@@ -181,10 +179,9 @@ static bool nested_search_far(const nested *x, ray r, bool any, hit *out, search
 
 /* The walk through one outer cell, from t on; it ends at *end, which sinks with the best hit, or
  * at `leave`. True: something was hit, and any hit will do. */
-__attribute__((always_inline))
-static inline bool nested_search_part(const nested *x, const nested_part *p, const grid_line *a,
-                                      real t, real leave, query *q, mailbox *seen, bool any,
-                                      real *end, search_work *work)
+fast_inline bool nested_search_part(const nested *x, const nested_part *p, const grid_line *a,
+                                    real t, real leave, query *q, mailbox *seen, bool any,
+                                    real *end, search_work *work)
 {
     if (!grid_span(p->box, a, &t, &leave) || t > *end) return false;
     lattice inner = nested_lattice(p);
@@ -202,8 +199,7 @@ static inline bool nested_search_part(const nested *x, const nested_part *p, con
     return false;
 }
 
-__attribute__((always_inline))
-static inline bool nested_search(const nested *x, ray r, bool any, hit *out, search_work *work)
+fast_inline bool nested_search(const nested *x, ray r, bool any, hit *out, search_work *work)
 {
     const grid *g = &x->g;
     if (g->entered == 0 || !ray_is_usable(r)) return false;

@@ -66,8 +66,7 @@ static inline size_t lattice_cells(const lattice *l)
 }
 
 /* Of the cell that holds x on axis k; the outer ones hold what is outside. */
-__attribute__((always_inline))
-static inline int lattice_index(real x, real lo, real per, int n)
+fast_inline int lattice_index(real x, real lo, real per, int n)
 {
     return (int)real_clamp((x - lo) * per, 0, (real)(n - 1));
 }
@@ -81,8 +80,7 @@ static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3],
     return (aabb){vsub(vadd(l->lo, vmul(a, l->size)), m), vadd(vadd(l->lo, vmul(b, l->size)), m)};
 }
 
-__attribute__((always_inline))
-static inline grid_line line_of(ray r)
+fast_inline grid_line line_of(ray r)
 {
     real longest = fabs(vaxis(r.d, vlongest(r.d))), scale = 1;
     if (!square_is_safe(longest * longest)) {  /* rare: 1/d, or t, could overflow */
@@ -100,22 +98,19 @@ static inline grid_line line_of(ray r)
 
 /* The interval [r.tmin, tmax], cut to [from, to], in the t of the walk. A t below real_smallest has
  * lost digits, so as much is added at both ends. A NaN interval holds no hit: any ends will do. */
-__attribute__((always_inline))
-static inline real line_begin(const grid_line *a, real tmin, real from)
+fast_inline real line_begin(const grid_line *a, real tmin, real from)
 {
     return real_max((tmin - real_smallest) * a->scale, from);
 }
 
-__attribute__((always_inline))
-static inline real line_end(const grid_line *a, real tmax, real to)
+fast_inline real line_end(const grid_line *a, real tmax, real to)
 {
     return real_min((tmax + real_smallest) * a->scale, to);
 }
 
 /* One axis. A walk that begins one cell too early or late, by rounding, is within the promise. */
-__attribute__((always_inline))
-static inline int walk_axis(real lo, real size, real per, int n, real o, real d, real inverse,
-                            real t, real *first, real *step, real *last, real *next)
+fast_inline int walk_axis(real lo, real size, real per, int n, real o, real d, real inverse, real t,
+                          real *first, real *step, real *last, real *next)
 {
     int i = (int)real_clamp(((o - lo) + t * d) * per, 0, (real)(n - 1)), up = inverse > 0;
     *last = inverse == 0 ? 0 : (real)(up ? n - 1 - i : i);
@@ -125,8 +120,7 @@ static inline int walk_axis(real lo, real size, real per, int n, real o, real d,
     return i;
 }
 
-__attribute__((always_inline))
-static inline grid_walk walk_from(const lattice *l, const grid_line *a, real t)
+fast_inline grid_walk walk_from(const lattice *l, const grid_line *a, real t)
 {
     grid_walk w = {.j = {0, 0, 0}};
     int x = walk_axis(l->lo.x, l->size.x, l->per.x, l->n[0], a->o.x, a->d.x, a->inverse.x, t,
@@ -143,16 +137,14 @@ static inline grid_walk walk_from(const lattice *l, const grid_line *a, real t)
     return w;
 }
 
-__attribute__((always_inline))
-static inline real walk_next_t(const grid_walk *w)
+fast_inline real walk_next_t(const grid_walk *w)
 {
     return real_min(real_min(w->t.x, w->t.y), w->t.z);
 }
 
 /* The axis that is stepped along; t counted afresh, (10.4). */
-__attribute__((always_inline))
-static inline void walk_step_axis(grid_walk *w, ptrdiff_t stride, real *t, real *j, real last,
-                                  real first, real step)
+fast_inline void walk_step_axis(grid_walk *w, ptrdiff_t stride, real *t, real *j, real last,
+                                real first, real step)
 {
     w->cell += stride;
     *j += 1;
@@ -163,8 +155,7 @@ static inline void walk_step_axis(grid_walk *w, ptrdiff_t stride, real *t, real 
  * is past the lattice. Where two walls are met at once, the cell
  * between is passed in no time. Branches, because the processor guesses well: a ray mostly has one
  * axis that is fast. */
-__attribute__((always_inline))
-static inline void walk_step(grid_walk *w, real t)
+fast_inline void walk_step(grid_walk *w, real t)
 {
     if (w->t.x == t)
         walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, w->first.x, w->step.x);

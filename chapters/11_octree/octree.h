@@ -28,8 +28,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-__attribute__((always_inline))
-static inline bool octree_search(const octree *t, ray r, bool any, hit *out, search_work *work)
+fast_inline bool octree_search(const octree *t, ray r, bool any, hit *out, search_work *work)
 {
     return octree_walk(t, r, any, 1, out, work, NULL);
 }

@@ -90,8 +90,7 @@ static inline unsigned octree_flipped(unsigned mask, unsigned flip)
 }
 
 /* (11.6). fx: the children far in x, beyond the wall; nx: the near ones. */
-__attribute__((always_inline))
-static inline unsigned octree_passed(const octree_ray *o, vec3 m, real in, real out)
+fast_inline unsigned octree_passed(const octree_ray *o, vec3 m, real in, real out)
 {
     enum { fx = 0xaa, fy = 0xcc, fz = 0xf0, nx = 0x55, ny = 0x33, nz = 0x0f, all = 0xff };
     vec3 l = vsub(m, o->pad), h = vadd(m, o->pad);
@@ -105,9 +104,8 @@ static inline unsigned octree_passed(const octree_ray *o, vec3 m, real in, real 
 }
 
 /* The items of a leaf; true if one of them improved the answer (any: was hit). */
-__attribute__((always_inline))
-static inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox *seen, bool any,
-                               search_work *work)
+fast_inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox *seen, bool any,
+                             search_work *work)
 {
     const uint32_t *i = t->reference + n.first, *end = i + (n.kind & ~octree_is_leaf);
     bool found = false;
@@ -123,9 +121,8 @@ static inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox
 }
 
 /* The root, an inner cell; false: the ray misses it. limit: s of the ray's end. */
-__attribute__((always_inline))
-static inline bool octree_root(const octree *t, const octree_ray *o, ray r, real limit,
-                               octree_level *out)
+fast_inline bool octree_root(const octree *t, const octree_ray *o, ray r, real limit,
+                             octree_level *out)
 {
     real half = t->size / 2;
     vec3 to = vadd(vsub(t->lo, r.o), (vec3){half, half, half});
@@ -142,9 +139,8 @@ static inline bool octree_root(const octree *t, const octree_ray *o, ray r, real
     return true;
 }
 
-__attribute__((always_inline))
-static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *out,
-                               search_work *work, octree_trail *trail)
+fast_inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *out,
+                             search_work *work, octree_trail *trail)
 {
     octree_level stack[octree_most_depth];
     int top = 0;

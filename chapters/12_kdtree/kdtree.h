@@ -50,8 +50,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-__attribute__((always_inline))
-static inline bool kdtree_search(const kdtree *t, ray r, bool any, hit *out, search_work *work)
+fast_inline bool kdtree_search(const kdtree *t, ray r, bool any, hit *out, search_work *work)
 {
     return t->x.m ? kd_search(t, r, 1, true, any, out, work)
                   : kd_search(t, r, 1, false, any, out, work);

@@ -115,8 +115,7 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
 /* Also the part of the ray in the box, as in 09, with near and far planes seen from two origins.
  * Each comparison keeps its second argument against a NaN. Written where it is used: a copy of what
  * has just been stored number by number would wait for it, 15 ns a ray. */
-__attribute__((always_inline))
-static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, int pads, kd_ray *q)
+fast_inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, int pads, kd_ray *q)
 {
     vec3 o = kd_place(frame, r.o);
     real reach = 0;

@@ -31,8 +31,7 @@
 
 typedef struct { const kd_node *node; float enter, exit; } kd_waiting;
 
-__attribute__((always_inline))
-static inline bool kd_ask_mesh(const kdtree *t, kd_node n, query *q, bool any)
+fast_inline bool kd_ask_mesh(const kdtree *t, kd_node n, query *q, bool any)
 {
     const kd_triangle *tri = t->triangle + n.first, *end = tri + kd_count(n);
     bool found = false;
@@ -48,8 +47,7 @@ static inline bool kd_ask_mesh(const kdtree *t, kd_node n, query *q, bool any)
     return found;
 }
 
-__attribute__((always_inline))
-static inline bool kd_ask_scene(const kdtree *t, kd_node n, query *q, bool any)
+fast_inline bool kd_ask_scene(const kdtree *t, kd_node n, query *q, bool any)
 {
     const uint32_t *i = t->index + n.first, *end = i + kd_count(n);
     bool found = false;
@@ -62,17 +60,15 @@ static inline bool kd_ask_scene(const kdtree *t, kd_node n, query *q, bool any)
 }
 
 /* Tests the items of a leaf; true if one was closer than the best so far (any: was hit at all). */
-__attribute__((always_inline))
-static inline bool kd_ask(const kdtree *t, kd_node n, query *q, bool of_mesh, bool any)
+fast_inline bool kd_ask(const kdtree *t, kd_node n, query *q, bool of_mesh, bool any)
 {
     return of_mesh ? kd_ask_mesh(t, n, q, any) : kd_ask_scene(t, n, q, any);
 }
 
 /* Branches, although each is a coin toss: without them every step waits for the one before. The far
  * child is asked for first, since it is the rarer: one branch less for most steps. */
-__attribute__((always_inline))
-static inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, bool any, hit *out,
-                             search_work *w)
+fast_inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, bool any, hit *out,
+                           search_work *w)
 {
     kd_waiting stack[kdtree_most_depth];
     int top = 0;

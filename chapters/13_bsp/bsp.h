@@ -67,9 +67,8 @@ static inline bool bsp_ray_of(const bsp *b, ray r, real pads, bsp_ray *out)
 }
 
 /* pads: 2, of delta; 0 is the naive one. first: ends at the first leaf with a hit. */
-__attribute__((always_inline))
-static inline bool bsp_walk(const bsp *b, ray r, real pads, bool any, bool first_leaf, hit *out,
-                            search_work *work)
+fast_inline bool bsp_walk(const bsp *b, ray r, real pads, bool any, bool first_leaf, hit *out,
+                          search_work *work)
 {
     bsp_waiting stack[bsp_most_depth + 1];
     int top = 0;
@@ -121,8 +120,7 @@ static inline bool bsp_walk(const bsp *b, ray r, real pads, bool any, bool first
     return query_answer(&q, out);
 }
 
-__attribute__((always_inline))
-static inline bool bsp_search(const bsp *b, ray r, bool any, hit *out, search_work *work)
+fast_inline bool bsp_search(const bsp *b, ray r, bool any, hit *out, search_work *work)
 {
     return bsp_walk(b, r, 2, any, false, out, work);
 }

@@ -64,9 +64,8 @@ static inline box_ray instances_box_ray(ray r, const bvh_box *root, const void *
     return q;
 }
 
-__attribute__((always_inline))
-static inline bool instances_leaf(const void *context, uint32_t first, uint32_t count,
-                                  query *q, bool any)
+fast_inline bool instances_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                                bool any)
 {
     const instances_context *c = context;
     bool found = false;
@@ -92,9 +91,8 @@ static inline bool instances_leaf(const void *context, uint32_t first, uint32_t 
     return found;
 }
 
-__attribute__((always_inline))
-static inline bool instances_search(const instances *x, ray r, bool any, bool naive,
-                                    instance_hit *out, instances_work *work)
+fast_inline bool instances_search(const instances *x, ray r, bool any, bool naive,
+                                  instance_hit *out, instances_work *work)
 {
     uint32_t k = no_shape;
     hit h;

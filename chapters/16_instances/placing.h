@@ -122,8 +122,7 @@ static inline bool instance_inverse(affine to_world, affine *to_object)
 }
 
 /* Not normalised: t must stay the t of the world. */
-__attribute__((always_inline))
-static inline bool instance_ray(const affine *to_object, ray r, ray *inside)
+fast_inline bool instance_ray(const affine *to_object, ray r, ray *inside)
 {
     *inside = affine_ray(*to_object, r);
     return vlargest(inside->d) >= real_smallest / real_epsilon;
