@@ -6,7 +6,7 @@
  *   vadd(a,b)  a + b     vscale(a,s)   s a          vdot(a,b)    a . b   vmin(a,b)   smaller
  *   vsub(a,b)  a - b     vmul(a,b)     (ax bx, ..)  vcross(a,b)  a x b   vmax(a,b)   larger
  *   vneg(a)    -a        vmadd(a,b,s)  a + s b      vlength(a)   |a|     vaxis(a,k)  ax, ay, az
- *   vwith(a,k,s)  a with component k = s
+ *   vwith(a,k,s)  a with component k = s            vabs(a)  (|ax|, ..)  vlargest(a) max |ak|
  *   vunit(a)   a / |a|   vfinite(a)    all finite   vzero(a)     all 0   vlongest(a) k of max |ak|
  *   vbasis(n, &s, &t)     completes a unit n to a right-handed orthonormal basis s, t, n
  *
@@ -30,7 +30,7 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 
 #define pi ((real)3.14159265358979323846)
 #define real_is_float (sizeof(real) == sizeof(float))
-/* What a search calls at every step: a copy at each place, since a call would write the ray anew. */
+/* What a search calls at every step: a copy at each place, as a call would write the ray anew. */
 #define fast_inline __attribute__((always_inline)) static inline
 /* From 1 to the next real: 2.2e-16 or 1.2e-7. A rounded operation is off by half of it at most. */
 #define real_epsilon (real_is_float ? (real)FLT_EPSILON : (real)DBL_EPSILON)
@@ -79,6 +79,8 @@ static inline int vlongest(vec3 a)
     return 2 - ((first ? x : y) >= z) * (1 + first);
 }
 
+static inline vec3 vabs(vec3 a) { return (vec3){fabs(a.x), fabs(a.y), fabs(a.z)}; }
+static inline real vlargest(vec3 a) { return fabs(vaxis(a, vlongest(a))); }
 static inline bool vzero(vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z) == 0; }
 static inline bool vfinite(vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
 

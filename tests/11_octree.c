@@ -204,7 +204,7 @@ static void count_cell(census *s, uint32_t node, octree_cell c)
         return;
     }
     uint32_t count = n.kind & ~octree_is_leaf;
-    aabb cell = octree_widened(octree_cell_box(t, c), 8 * real_epsilon * aabb_reach(t->bounds));
+    aabb cell = first_aabb_pad(octree_cell_box(t, c), 8 * real_epsilon * aabb_reach(t->bounds));
     s->leaves++, s->empty += count == 0, s->references += count;
     s->volume += ldexp(1.0, -3 * c.depth);
     if (count && c.depth > s->depth) s->depth = c.depth;
@@ -495,7 +495,7 @@ static void test_order(size_t n)
             long double in = 0, out = 0;
             size_t at = 0;
             while (leaf[at].node != trail.node[k]) at++;
-            aabb near = octree_widened(leaf[at].box, 16384 * real_epsilon);
+            aabb near = first_aabb_pad(leaf[at].box, 16384 * real_epsilon);
             strange += !cell_span(near, r, &in, &out);
             cell_span(leaf[at].box, r, &in, &out);
             behind += !in_a_wall && out < before - slack;

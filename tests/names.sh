@@ -27,7 +27,7 @@ defined() {
             $0 = substr($0, 1, RSTART - 1) substr($0, RSTART + 6, RLENGTH - 7) substr($0, RSTART + RLENGTH) }
         FNR == 1 { open = "" ; inside = 0 }
         open != "" { open = open $0; if ((n = count(open)) >= 0) { said("function", name, n); open = "" } next }
-        /^STRUCTURE_VERBS\(/ { name = $0; gsub(/.*\(|\).*/, "", name)  # makes these four
+        /^STRUCTURE_VERBS(_OF)?\(/ { name = $0; gsub(/.*\(|[,)].*/, "", name)  # makes these four
             said("function", name "_hit", 3); said("function", name "_hit_counted", 4)
             said("function", name "_occluded", 2); said("function", name "_occluded_counted", 3) }
         /^#ifndef [A-Z0-9_]+_H$/ { said("guard", $2, 0) }

@@ -92,7 +92,7 @@ static bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     sphere_doubts++;
     if (!vfinite(r.o) || !vfinite(s.c) || !isfinite(s.r)) return false;
     if (!vfinite(r.d) || vzero(r.d)) return false;
-    vec3 most = vmax(vmax(r.o, vneg(r.o)), vmax(s.c, vneg(s.c)));
+    vec3 most = vmax(vabs(r.o), vabs(s.c));
     int ed, el, ex, down = vaxis(most, vlongest(most)) > real_largest / 8 ? 3 : 0;
     wide3 o = wide3_of(r.o), c = wide3_of(s.c), d = wide3_scaled(wide3_of(r.d), 0, &ed);
     if (down) o = wide3_ldexp(o, -down), c = wide3_ldexp(c, -down);  /* else o - c may overflow */

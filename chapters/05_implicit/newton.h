@@ -30,7 +30,7 @@ static inline real implicit_slope(const implicit_surface *s, ray r, real t)
 {
     vec3 p = ray_at(r, t);
     if (s->gradient) return vdot(s->gradient(s->data, p), r.d);
-    real step = fabs(vaxis(r.d, vlongest(r.d))), size = fabs(vaxis(p, vlongest(p)));
+    real step = vlargest(r.d), size = vlargest(p);
     real h = implicit_step(size) / step;
     real apart = (t + h) - (t - h);
     return (implicit_value(s, ray_at(r, t + h)) - implicit_value(s, ray_at(r, t - h))) / apart;

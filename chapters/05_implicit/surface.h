@@ -48,7 +48,7 @@ static inline real implicit_step(real size) { return cbrt(real_epsilon) * real_m
 
 static inline vec3 implicit_differences(const implicit_surface *s, vec3 p)
 {
-    real h = implicit_step(fabs(vaxis(p, vlongest(p))));
+    real h = implicit_step(vlargest(p));
     vec3 g = {0, 0, 0};
     for (int k = 0; k < 3; k++) {
         vec3 on = vwith(p, k, vaxis(p, k) + h), before = vwith(p, k, vaxis(p, k) - h);
@@ -79,7 +79,7 @@ static inline jet implicit_range(const implicit_surface *s, ray r, interval T)
 static inline bool implicit_clip_far(ray *r)
 {
     const real far = (real)1e30;
-    real step = fabs(vaxis(r->d, vlongest(r->d))), size = fabs(vaxis(r->o, vlongest(r->o)));
+    real step = vlargest(r->d), size = vlargest(r->o);
     if (!vfinite(r->o) || !vfinite(r->d) || !(step > 0) || !(size < far)) return false;
     real most = real_min((far - size) / step, real_largest);
     if (!(r->tmax <= real_largest)) r->tmax = r->tmax > 0 ? most : r->tmax;

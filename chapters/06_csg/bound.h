@@ -117,9 +117,8 @@ static inline csg_bound csg_bound_joined(csg_operation what, csg_bound a, csg_bo
 
 static inline csg_line csg_line_of(ray r)
 {
-    vec3 away = vmax(r.o, vneg(r.o));
     return (csg_line){r.o, {1 / r.d.x, 1 / r.d.y, 1 / r.d.z}, r.tmin, r.tmax,
-                      csg_rounding * vaxis(away, vlongest(away))};
+                      csg_rounding * vlargest(r.o)};
 }
 
 static inline bool csg_bound_meets(const csg_bound *b, const csg_line *x)

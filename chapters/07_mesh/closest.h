@@ -24,21 +24,37 @@
 
 typedef struct { const shape *shapes; size_t n; } scene;
 
+/* State of a search: r.tmax is the t of `best`. */
+typedef struct { ray r; ray_shear shear; hit best; } query;
+
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline query query_of(ray r) { return (query){r, shear_of(r), hit_none}; }
+
+/* Keeps h as the best hit if it comes before it. */
+fast_inline bool query_improves(query *q, hit h)
+{
+    if (!hit_before(h, q->best)) return false;
+    q->best = h;
+    q->r.tmax = h.t;
+    return true;
+}
+
+static inline bool query_answer(const query *q, hit *out)
+{
+    if (q->best.shape == no_shape) return false;
+    *out = q->best;
+    return true;
+}
 
 static inline bool scene_hit(const scene *s, ray r, hit *out)
 {
-    ray_shear k = shear_of(r);
-    hit best = hit_none, h;
+    query q = query_of(r);
+    hit h;
     for (size_t i = 0; i < s->n; i++)
-        if (shape_hit_sheared(&s->shapes[i], &k, r, &h)
-            && (h.shape = (uint32_t)i, hit_before(h, best))) {
-            best = h;
-            r.tmax = h.t;
-        }
-    if (best.shape == no_shape) return false;
-    *out = best;
-    return true;
+        if (shape_hit_sheared(&s->shapes[i], &q.shear, q.r, &h))
+            h.shape = (uint32_t)i, query_improves(&q, h);
+    return query_answer(&q, out);
 }
 
 static inline bool scene_occluded(const scene *s, ray r)
@@ -50,8 +66,7 @@ static inline bool scene_occluded(const scene *s, ray r)
     return false;
 }
 
-__attribute__((always_inline))  /* as triangle_hit_corners */
-static inline bool mesh_triangle_hit(const mesh *m, size_t i, const ray_shear *k, ray r, hit *out)
+fast_inline bool mesh_triangle_hit(const mesh *m, size_t i, const ray_shear *k, ray r, hit *out)
 {
     const uint32_t *c = m->index + 3 * i;
     return triangle_hit_corners(&m->v[c[0]], &m->v[c[1]], &m->v[c[2]], k, r, out);
@@ -59,16 +74,12 @@ static inline bool mesh_triangle_hit(const mesh *m, size_t i, const ray_shear *k
 
 static inline bool mesh_hit(const mesh *m, ray r, hit *out)
 {
-    ray_shear k = shear_of(r);
-    hit best = hit_none, h;
+    query q = query_of(r);
+    hit h;
     for (size_t i = 0; i < m->triangles; i++)
-        if (mesh_triangle_hit(m, i, &k, r, &h) && (h.shape = (uint32_t)i, hit_before(h, best))) {
-            best = h;
-            r.tmax = h.t;
-        }
-    if (best.shape == no_shape) return false;
-    *out = best;
-    return true;
+        if (mesh_triangle_hit(m, i, &q.shear, q.r, &h))
+            h.shape = (uint32_t)i, query_improves(&q, h);
+    return query_answer(&q, out);
 }
 
 static inline bool mesh_occluded(const mesh *m, ray r)

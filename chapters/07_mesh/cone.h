@@ -100,7 +100,7 @@ static inline bool cone_in_units(cone *c, ray *r, int *exponent)
     vec3 w = vsub(c->b, c->a), radii = {c->ra, c->rb, 0};
     int e, f;
     if (!vfinite(w) || !vfinite(radii) || !vfinite(r->d) || !vfinite(r->o)) return false;
-    (void)vscaled(vmax(vmax(w, vneg(w)), vmax(radii, vneg(radii))), &e);
+    (void)vscaled(vmax(vabs(w), vabs(radii)), &e);
     r->d = vscaled(r->d, &f);
     real k = ldexp((real)1, -e);
     *c = (cone){vscale(c->a, k), c->ra * k, vscale(c->b, k), c->rb * k};

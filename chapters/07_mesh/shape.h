@@ -130,7 +130,7 @@ static inline void shape_bounds(shape s, vec3 *lo, vec3 *hi)
         return;
     case SHAPE_OTHER: *lo = s.other->lo, *hi = s.other->hi; return;
     }
-    vec3 size = vmax(vmax(*hi, vneg(*hi)), vmax(*lo, vneg(*lo)));
+    vec3 size = vmax(vabs(*hi), vabs(*lo));
     *lo = vmadd(*lo, size, -more);
     *hi = vmadd(*hi, size, more);
 }

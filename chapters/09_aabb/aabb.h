@@ -54,6 +54,9 @@ static inline aabb aabb_overlap(aabb a, aabb b)
     return aabb_is_empty(c) ? aabb_empty() : c;
 }
 
+/* Largest coordinate, in amount, of a point in the box. */
+static inline real aabb_reach(aabb b) { return vlargest(vmax(vabs(b.hi), vabs(b.lo))); }
+
 static inline vec3 aabb_centre(aabb b) { return vmadd(vscale(b.lo, 0.5), b.hi, 0.5); }
 
 static inline bool aabb_contains(aabb b, vec3 p)

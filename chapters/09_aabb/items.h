@@ -13,7 +13,6 @@
 #ifndef ITEMS_H
 #define ITEMS_H
 
-#include "../07_mesh/closest.h"
 #include "structure.h"
 
 typedef struct { const mesh *m; const scene *s; size_t n; } items;  /* m or s; the other is NULL */
@@ -50,8 +49,7 @@ static inline bool items_all_bounds(const items *x, aabb *all, failure *f)
         aabb b;
         if (!items_bounds(x, i, &b)) continue;
         *all = aabb_union(*all, b);
-        vec3 far = vmax(vmax(b.hi, vneg(b.hi)), vmax(b.lo, vneg(b.lo)));
-        real size = vaxis(far, vlongest(far));
+        real size = aabb_reach(b);
         if (!(size <= items_most))
             return failed(f, 2, "item %zu reaches to %g: coordinates up to %g are allowed", i,
                           (double)size, (double)items_most);

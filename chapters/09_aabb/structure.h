@@ -39,11 +39,8 @@
 #define STRUCTURE_H
 
 #include "../../common/file.h"
-#include "../04_triangle/triangle.h"
+#include "../07_mesh/closest.h"
 #include "aabb.h"
-
-/* State of a search: r.tmax is the t of `best`. */
-typedef struct { ray r; ray_shear shear; hit best; } query;
 
 typedef struct {
     size_t nodes;   /* steps: inner nodes, or cells of a grid, passed */
@@ -134,34 +131,16 @@ static inline real direction_scale(real longest)
     return ldexp((real)1, e > most ? most : e < -most ? -most : e);
 }
 
-static inline query query_of(ray r) { return (query){r, shear_of(r), hit_none}; }
-
 /* (10.1) [scene units]; a little even where everything is 0. */
 static inline real query_delta(ray r, aabb all)
 {
-    vec3 a = vsub(r.o, all.lo), b = vsub(all.hi, r.o);
-    a = vmax(vmax(a, vneg(a)), vmax(b, vneg(b)));
-    return vaxis(a, vlongest(a)) * (512 * real_epsilon) + real_smallest;
+    vec3 a = vmax(vabs(vsub(r.o, all.lo)), vabs(vsub(all.hi, r.o)));
+    return vlargest(a) * (512 * real_epsilon) + real_smallest;
 }
 
-/* Keeps h as the best hit if it comes before it. */
-fast_inline bool query_improves(query *q, hit h)
-{
-    if (!hit_before(h, q->best)) return false;
-    q->best = h;
-    q->r.tmax = h.t;
-    return true;
-}
-
-static inline bool query_answer(const query *q, hit *out)
-{
-    if (q->best.shape == no_shape) return false;
-    *out = q->best;
-    return true;
-}
-
-#define STRUCTURE_VERBS(X)                                                                       \
-    static inline bool X##_hit(const X *s, ray r, hit *out)                                      \
+#define STRUCTURE_VERBS(X) STRUCTURE_VERBS_OF(X, hit, search_work)
+#define STRUCTURE_VERBS_OF(X, hit_type, work_type)                                               \
+    static inline bool X##_hit(const X *s, ray r, hit_type *out)                                 \
     {                                                                                            \
         return X##_search(s, r, false, out, NULL);                                               \
     }                                                                                            \
@@ -169,11 +148,11 @@ static inline bool query_answer(const query *q, hit *out)
     {                                                                                            \
         return X##_search(s, r, true, NULL, NULL);                                               \
     }                                                                                            \
-    static inline bool X##_hit_counted(const X *s, ray r, hit *out, search_work *w)              \
+    static inline bool X##_hit_counted(const X *s, ray r, hit_type *out, work_type *w)           \
     {                                                                                            \
         return X##_search(s, r, false, out, w);                                                  \
     }                                                                                            \
-    static inline bool X##_occluded_counted(const X *s, ray r, search_work *w)                   \
+    static inline bool X##_occluded_counted(const X *s, ray r, work_type *w)                     \
     {                                                                                            \
         return X##_search(s, r, true, NULL, w);                                                  \
     }

@@ -77,8 +77,7 @@ static inline bool grid_bounds(const items *x, grid *g, failure *f)
     real longest = vaxis(side, vlongest(side)), tiny = real_smallest / real_epsilon;
     g->near = 512 * real_epsilon * (grid_reach * longest) + tiny;
     g->margin = g->near + 8 * real_epsilon * aabb_reach(all) + tiny;
-    vec3 m = {g->margin, g->margin, g->margin};
-    g->box = (aabb){vsub(all.lo, m), vadd(all.hi, m)};
+    g->box = first_aabb_pad(all, g->margin);
     return true;
 }
 
@@ -148,19 +147,10 @@ static inline bool grid_build(const items *x, grid_options how, grid *out, failu
 fast_inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
                           search_work *work)
 {
-    bool found = false;
-    if (!cell_marked(&g->lists, cell)) return false;
-    const uint32_t *i = g->lists.item + g->lists.first[cell];
-    const uint32_t *end = g->lists.item + g->lists.first[cell + 1];
-    if (work) work->leaves++;
-    for (; i < end; i++) {
-        if (g->mailbox && mailbox_has(seen, *i)) continue;
-        if (work) work->tests++;
-        if (!query_ask(q, &g->x, *i, any)) continue;
-        if (any) return true;
-        found = true;
-    }
-    return found;
+    const cell_lists *l = &g->lists;
+    return cell_marked(l, cell)
+           && mailbox_ask(seen, g->mailbox, q, &g->x, l->item + l->first[cell],
+                          l->item + l->first[cell + 1], any, work);
 }
 
 #endif

@@ -55,29 +55,47 @@ fast_inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
     return *from <= *to;
 }
 
-/* 4. The next cell is entered if it begins at or before the end. */
-fast_inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_work *work)
+/* The ray, and from where to where in the t of the walk; false: it passes by the box. */
+fast_inline bool grid_begin(const grid *g, ray r, grid_line *a, real *from, real *end)
 {
-    if (g->entered == 0 || !ray_is_usable(r)) return false;
-    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, r, any, out, work);
-    grid_line a = line_of(r);
-    real from = line_begin(&a, r.tmin, -real_largest), to = real_largest;
-    if (!grid_span(g->box, &a, &from, &to)) return false;
-    real end = line_end(&a, r.tmax, to), t;
-    if (from > end) return false;
-    query q = query_of(r);
-    mailbox seen = mailbox_new();
-    grid_walk w = walk_from(&g->cells, &a, from);
+    real to = real_largest;
+    *a = line_of(r), *from = line_begin(a, r.tmin, -real_largest);
+    if (!grid_span(g->box, a, from, &to)) return false;
+    *end = line_end(a, r.tmax, to);
+    return !(*from > *end);
+}
+
+/* 4. The next cell is entered if it begins at or before `end`, which comes nearer with each hit.
+ * True if something was closer than the best so far (any: was hit). */
+fast_inline bool grid_pass(const grid *g, grid_walk w, const grid_line *a, real end, query *q,
+                           mailbox *seen, bool any, search_work *work)
+{
+    bool found = false;
+    real t;
     do {
         size_t cell = (size_t)w.cell;
         t = walk_next_t(&w);
         walk_step(&w, t);
         if (work) work->nodes++;
-        if (!grid_ask(g, cell, &q, &seen, any, work)) continue;
+        if (!grid_ask(g, cell, q, seen, any, work)) continue;
         if (any) return true;
-        end = line_end(&a, q.r.tmax, to);
+        found = true, end = line_end(a, q->r.tmax, end);
     } while (t <= end);
-    return query_answer(&q, out);
+    return found;
+}
+
+fast_inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_work *work)
+{
+    grid_line a;
+    real from, end;
+    if (g->entered == 0 || !ray_is_usable(r)) return false;
+    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, r, any, out, work);
+    if (!grid_begin(g, r, &a, &from, &end)) return false;
+    query q = query_of(r);
+    mailbox seen = mailbox_new();
+    grid_walk w = walk_from(&g->cells, &a, from);
+    bool found = grid_pass(g, w, &a, end, &q, &seen, any, work);
+    return any ? found : query_answer(&q, out);
 }
 
 STRUCTURE_VERBS(grid)

@@ -8,6 +8,9 @@
  *
  *   mailbox seen = mailbox_new();
  *   if (!mailbox_has(&seen, i)) test item i;     notes it down
+ *   mailbox_ask(&seen, on, &q, &x, i, end, any, &work)     so with the items *i of a cell, up to
+ *                                                *end; true if one was closer than the best so far
+ *                                                (any: was hit). on: false asks all of them
  *
  * Sources: J. Amanatides, A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics
  * 1987, section 3; C. Benthin, "Realtime Ray Tracing on Current CPU Architectures", PhD thesis,
@@ -16,9 +19,7 @@
 #ifndef MAILBOX_H
 #define MAILBOX_H
 
-#include "../../common/vec3.h"
-#include <stdint.h>
-#include <string.h>
+#include "../09_aabb/items.h"
 
 enum { mailbox_places = 16 };
 typedef struct { uint32_t item[mailbox_places]; } mailbox;
@@ -38,6 +39,21 @@ fast_inline bool mailbox_has(mailbox *m, uint32_t i)
     if (*place == i) return true;
     *place = i;
     return false;
+}
+
+fast_inline bool mailbox_ask(mailbox *m, bool on, query *q, const items *x, const uint32_t *i,
+                             const uint32_t *end, bool any, search_work *work)
+{
+    bool found = false;
+    if (work) work->leaves++;
+    for (; i < end; i++) {
+        if (on && mailbox_has(m, *i)) continue;
+        if (work) work->tests++;
+        if (!query_ask(q, x, *i, any)) continue;
+        if (any) return true;
+        found = true;
+    }
+    return found;
 }
 
 #endif

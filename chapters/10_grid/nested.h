@@ -65,9 +65,8 @@ fast_inline lattice nested_lattice(const nested_part *p)
 static inline aabb nested_box(const nested *x, const uint32_t *item, size_t k, aabb cell,
                               size_t *small)
 {
-    vec3 m = {x->g.margin, x->g.margin, x->g.margin};
     vec3 half = vscale(vsub(cell.hi, cell.lo), 0.5);
-    aabb wide_cell = {vsub(cell.lo, m), vadd(cell.hi, m)}, all = aabb_empty();
+    aabb wide_cell = first_aabb_pad(cell, x->g.margin), all = aabb_empty();
     *small = 0;
     for (size_t i = 0; i < k; i++) {
         aabb b = cell;
@@ -75,9 +74,9 @@ static inline aabb nested_box(const nested *x, const uint32_t *item, size_t k, a
         b = (aabb){vmax(b.lo, wide_cell.lo), vmin(b.hi, wide_cell.hi)};
         vec3 e = vsub(b.hi, b.lo);
         *small += e.x <= half.x && e.y <= half.y && e.z <= half.z;
-        all = (aabb){vmin(all.lo, b.lo), vmax(all.hi, b.hi)};
+        all = aabb_union(b, all);
     }
-    return (aabb){vsub(all.lo, m), vadd(all.hi, m)};
+    return first_aabb_pad(all, x->g.margin);
 }
 
 /* Cuts outer cell c, with k items. False: more cells than a reference can count. */
@@ -177,47 +176,36 @@ static bool nested_search_far(const nested *x, ray r, bool any, hit *out, search
     return grid_search_layers(&x->g, nested_ask, r, any, out, work);
 }
 
-/* The walk through one outer cell, from t on; it ends at *end, which sinks with the best hit, or
- * at `leave`. True: something was hit, and any hit will do. */
-fast_inline bool nested_search_part(const nested *x, const nested_part *p, const grid_line *a,
-                                    real t, real leave, query *q, mailbox *seen, bool any,
-                                    real *end, search_work *work)
+/* The walk through one outer cell, from t to `end`. */
+fast_inline bool nested_pass(const nested *x, const nested_part *p, const grid_line *a, real t,
+                             real end, query *q, mailbox *seen, bool any, search_work *work)
 {
-    if (!grid_span(p->box, a, &t, &leave) || t > *end) return false;
+    if (!grid_span(p->box, a, &t, &end)) return false;
     lattice inner = nested_lattice(p);
     grid_walk w = walk_from(&inner, a, t);
     w.cell += p->base;
-    do {
-        size_t cell = (size_t)w.cell;
-        t = walk_next_t(&w);
-        walk_step(&w, t);
-        if (work) work->nodes++;
-        if (!grid_ask(&x->g, cell, q, seen, any, work)) continue;
-        if (any) return true;
-        *end = line_end(a, q->r.tmax, *end);
-    } while (t <= leave && t <= *end);
-    return false;
+    return grid_pass(&x->g, w, a, end, q, seen, any, work);
 }
 
 fast_inline bool nested_search(const nested *x, ray r, bool any, hit *out, search_work *work)
 {
     const grid *g = &x->g;
+    grid_line a;
+    real from, end, t;
     if (g->entered == 0 || !ray_is_usable(r)) return false;
     if (!(query_delta(r, g->box) <= g->near)) return nested_search_far(x, r, any, out, work);
-    grid_line a = line_of(r);
-    real from = line_begin(&a, r.tmin, -real_largest), to = real_largest;
-    if (!grid_span(g->box, &a, &from, &to)) return false;
-    real end = line_end(&a, r.tmax, to), t;
-    if (from > end) return false;
+    if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
     grid_walk w = walk_from(&g->cells, &a, from);
     for (;; from = t) {
-        uint32_t part = x->part_of[w.cell];
+        const nested_part *p = &x->part[x->part_of[w.cell]];
         t = walk_next_t(&w);
         if (work) work->nodes++;
-        if (part && nested_search_part(x, &x->part[part], &a, from, t, &q, &seen, any, &end, work))
-            return true;
+        if (p > x->part && nested_pass(x, p, &a, from, real_min(t, end), &q, &seen, any, work)) {
+            if (any) return true;
+            end = line_end(&a, q.r.tmax, end);
+        }
         if (!(t <= end)) return query_answer(&q, out);
         walk_step(&w, t);
     }

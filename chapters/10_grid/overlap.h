@@ -45,13 +45,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Largest coordinate, in amount, of a point in the box. */
-static inline real aabb_reach(aabb b)
-{
-    vec3 far = vmax(vmax(b.hi, vneg(b.hi)), vmax(b.lo, vneg(b.lo)));
-    return vaxis(far, vlongest(far));
-}
-
 /* Adds the axis a; the item is the convex hull of n points, each with a ball of radius r about it.
  *
  * The axis is exact, whatever rounding made it: every direction is a good witness that two things

@@ -75,14 +75,15 @@ fast_inline int lattice_index(real x, real lo, real per, int n)
  * a block holds the box of each of its cells. */
 static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3], real more)
 {
-    vec3 m = {more, more, more}, a = {(real)i[0], (real)i[1], (real)i[2]};
+    vec3 a = {(real)i[0], (real)i[1], (real)i[2]};
     vec3 b = {(real)(j[0] + 1), (real)(j[1] + 1), (real)(j[2] + 1)};
-    return (aabb){vsub(vadd(l->lo, vmul(a, l->size)), m), vadd(vadd(l->lo, vmul(b, l->size)), m)};
+    a = vadd(l->lo, vmul(a, l->size)), b = vadd(l->lo, vmul(b, l->size));
+    return first_aabb_pad((aabb){a, b}, more);
 }
 
 fast_inline grid_line line_of(ray r)
 {
-    real longest = fabs(vaxis(r.d, vlongest(r.d))), scale = 1;
+    real longest = vlargest(r.d), scale = 1;
     if (!square_is_safe(longest * longest)) {  /* rare: 1/d, or t, could overflow */
         int e, most = real_is_float ? FLT_MAX_EXP - 1 : DBL_MAX_EXP - 1;
         (void)frexp(longest, &e);

@@ -84,12 +84,6 @@ static inline aabb octree_cell_box(const octree *t, octree_cell c)
     return (aabb){vadd(t->lo, low), vadd(t->lo, high)};
 }
 
-static inline aabb octree_widened(aabb b, real margin)
-{
-    vec3 w = {margin, margin, margin};
-    return (aabb){vsub(b.lo, w), vadd(b.hi, w)};
-}
-
 /* What is being cut: lists of items, one above the other, from the root's to the present cell's. */
 typedef struct {
     octree *t;
@@ -152,7 +146,7 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
 
     /* Which child holds which items */
     for (unsigned c = 0; c < 8; c++)
-        child[c] = octree_widened(octree_cell_box(t, octree_child_cell(cell, c)), b->margin);
+        child[c] = first_aabb_pad(octree_cell_box(t, octree_child_cell(cell, c)), b->margin);
     for (size_t i = begin; i < end; i++) {
         unsigned in = octree_children_of(b, b->list[i], child);
         b->within[i] = (uint8_t)in;

@@ -65,7 +65,7 @@ static inline real octree_inverse(real d, real way)
 
 static inline octree_ray octree_ray_of(const octree *t, ray r, real pad)
 {
-    real way = fabs(vaxis(r.d, vlongest(r.d))), delta = pad * query_delta(r, t->bounds);
+    real way = vlargest(r.d), delta = pad * query_delta(r, t->bounds);
     vec3 i = {octree_inverse(r.d.x, way), octree_inverse(r.d.y, way), octree_inverse(r.d.z, way)};
     unsigned flip = (r.d.x < 0 ? 1u : 0) | (r.d.y < 0 ? 2u : 0) | (r.d.z < 0 ? 4u : 0);
     return (octree_ray){i, vscale(i, delta), way, flip};
@@ -108,16 +108,7 @@ fast_inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox *
                              search_work *work)
 {
     const uint32_t *i = t->reference + n.first, *end = i + (n.kind & ~octree_is_leaf);
-    bool found = false;
-    if (work) work->leaves++;
-    for (; i < end; i++) {
-        if (t->how.mailbox && mailbox_has(seen, *i)) continue;
-        if (work) work->tests++;
-        if (!query_ask(q, &t->x, *i, any)) continue;
-        if (any) return true;
-        found = true;
-    }
-    return found;
+    return mailbox_ask(seen, t->how.mailbox, q, &t->x, i, end, any, work);
 }
 
 /* The root, an inner cell; false: the ray misses it. limit: s of the ray's end. */

@@ -61,10 +61,9 @@ static inline aabb kd_in_scene(const kd_frame *f, const kd_box *b)
 {
     vec3 lo = vec(b->lo[0], b->lo[1], b->lo[2]), hi = vec(b->hi[0], b->hi[1], b->hi[2]);
     vec3 c = f->centre;
-    real spare = vzero(c) ? 0 : 4 * real_epsilon * fabs(vaxis(c, vlongest(c)));
-    vec3 more = vec(spare, spare, spare);
+    real spare = vzero(c) ? 0 : 4 * real_epsilon * vlargest(c);
     lo = vadd(vscale(lo, 1 / f->scale), c), hi = vadd(vscale(hi, 1 / f->scale), c);
-    return (aabb){vsub(lo, more), vadd(hi, more)};
+    return first_aabb_pad((aabb){lo, hi}, spare);
 }
 
 /* A round shape keeps of its two half boxes those that it touches (10.2). */

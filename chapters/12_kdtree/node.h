@@ -91,7 +91,7 @@ static inline kd_frame kd_frame_of(aabb all)
     int e, most = real_is_float ? 60 : 260;
     vec3 half = vscale(vsub(all.hi, all.lo), 0.5), c = aabb_centre(all);
     real size = vaxis(half, vlongest(half));
-    if (fabs(vaxis(c, vlongest(c))) > 2 * size) f.centre = c;
+    if (vlargest(c) > 2 * size) f.centre = c;
     (void)frexp(size, &e);
     e = e > most ? most : e < -most ? -most : e;
     if (e > 40 || e < -40) f.scale = ldexp((real)1, -e);
@@ -124,7 +124,7 @@ fast_inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, int 
         reach = real_max(fabs((real)box->hi[k] - vaxis(o, k)), reach);
     }
     real delta = reach * ((real)0x1p-21 + 512 * real_epsilon) + (real)0x1p-100;  /* (12.6) */
-    q->unit = direction_scale(fabs(vaxis(r.d, vlongest(r.d)))), q->scale = frame->scale;
+    q->unit = direction_scale(vlargest(r.d)), q->scale = frame->scale;
     /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
      * from the numbers below FLT_MIN, with which processors are slow. */
     q->slack = real_smallest * q->unit * q->scale + (real)0x1p-100;

@@ -31,38 +31,26 @@
 
 typedef struct { const kd_node *node; float enter, exit; } kd_waiting;
 
-fast_inline bool kd_ask_mesh(const kdtree *t, kd_node n, query *q, bool any)
+fast_inline bool kd_ask_triangle(const kdtree *t, const kd_triangle *tri, query *q, bool any)
 {
-    const kd_triangle *tri = t->triangle + n.first, *end = tri + kd_count(n);
-    bool found = false;
+    const vec3 *a = t->v + tri->corner[0], *b = t->v + tri->corner[1], *c = t->v + tri->corner[2];
     hit h;
-    for (; tri < end; tri++) {
-        const vec3 *a = t->v + tri->corner[0], *b = t->v + tri->corner[1],
-                   *c = t->v + tri->corner[2];
-        if (!triangle_hit_corners(a, b, c, &q->shear, q->r, &h)) continue;
-        if (any) return true;
-        h.shape = tri->index;
-        found |= query_improves(q, h);
-    }
-    return found;
-}
-
-fast_inline bool kd_ask_scene(const kdtree *t, kd_node n, query *q, bool any)
-{
-    const uint32_t *i = t->index + n.first, *end = i + kd_count(n);
-    bool found = false;
-    for (; i < end; i++) {
-        if (!query_ask(q, &t->x, *i, any)) continue;
-        if (any) return true;
-        found = true;
-    }
-    return found;
+    if (!triangle_hit_corners(a, b, c, &q->shear, q->r, &h)) return false;
+    h.shape = tri->index;
+    return any || query_improves(q, h);
 }
 
 /* Tests the items of a leaf; true if one was closer than the best so far (any: was hit at all). */
 fast_inline bool kd_ask(const kdtree *t, kd_node n, query *q, bool of_mesh, bool any)
 {
-    return of_mesh ? kd_ask_mesh(t, n, q, any) : kd_ask_scene(t, n, q, any);
+    bool found = false;
+    for (size_t i = n.first, end = i + kd_count(n); i < end; i++) {
+        if (of_mesh ? !kd_ask_triangle(t, t->triangle + i, q, any)
+                    : !query_ask(q, &t->x, t->index[i], any)) continue;
+        if (any) return true;
+        found = true;
+    }
+    return found;
 }
 
 /* Branches, although each is a coin toss: without them every step waits for the one before. The far

@@ -50,7 +50,7 @@ static inline real bsp_limit(const bsp_ray *b, real t) { return t * b->scale + b
  * eps says: hence the slack. */
 static inline bool bsp_ray_of(const bsp *b, ray r, real pads, bsp_ray *out)
 {
-    real longest = fabs(vaxis(r.d, vlongest(r.d))), delta = query_delta(r, b->all);
+    real longest = vlargest(r.d), delta = query_delta(r, b->all);
     out->scale = direction_scale(longest), out->slack = real_smallest * out->scale;
     if (out->scale != 1) r.d = vscale(r.d, 1 / out->scale);
     out->o = vsub(r.o, b->middle), out->d = r.d;

@@ -193,7 +193,7 @@ static inline painter_list painter_begin(painter_builder *b)
     vec3 lo, hi;
     if (!mesh_bounds(b->m, &lo, &hi)) return all;
     out->middle = vmadd(vscale(lo, 0.5), hi, 0.5);
-    real size = vaxis(vsub(hi, lo), vlongest(vsub(hi, lo)));
+    real size = vlargest(vsub(hi, lo));
     b->e = 64 * real_epsilon * size, b->scale = power_above(size);
     for (size_t i = 0; i < b->m->triangles; i++) {
         triangle t = mesh_triangle(b->m, i);

@@ -80,7 +80,7 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
     placing p = placing_of(s->to_world, place->to_object, box_farthest(root));
     aabb w = boxes == INSTANCES_CORNERS ? box_of_corners(s->to_world, root)
                                         : box_of_points(s->to_world, points, n);
-    *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w, p.fixed) : box_padded(&w, p.fixed);
+    *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w) : box_padded(&w, p.fixed);
     *by_origin = boxes == INSTANCES_NAIVE ? -1 : p.by_origin;
     place->mesh = s->mesh;
     return true;

@@ -15,13 +15,12 @@
  *   bool instances_occluded(&x, r)        is there any?
  *   vec3 instances_normal(&x, h)          unit shading normal in the world (normals.h)
  *   instances_free(&x);                   a zeroed one may be freed
- *   instances_hit_counted(&x, r, &h, &work), instances_occluded_counted(&x, r, &work)
  *   instances_hit_naive(&x, r, &h)        normalises D': hits in the wrong order
  *
  * What is right: instance i is hit as mesh_hit of 07 says of its mesh and the ray (16.1); of all
  * instances the smallest t counts, at equal t the lowest instance, then the lowest triangle; the
- * interval is closed. `crowd_hit` of crowd.h says just that, and every hit here equals it bit for
- * bit: boxes are grown by what rounding can move (16.3), and pruned only where t_enter > tmax.
+ * interval is closed. `crowd_hit` of lab/flattened.h says just that, and every hit here equals it
+ * bit for bit: boxes are grown by what rounding can move (16.3), pruned only where t_enter > tmax.
  *
  *   input                                             answer
  *   no instances, no meshes, an empty mesh            never hit
@@ -91,8 +90,8 @@ fast_inline bool instances_leaf(const void *context, uint32_t first, uint32_t co
     return found;
 }
 
-fast_inline bool instances_search(const instances *x, ray r, bool any, bool naive,
-                                  instance_hit *out, instances_work *work)
+fast_inline bool instances_walk(const instances *x, ray r, bool any, bool naive, instance_hit *out,
+                                instances_work *work)
 {
     uint32_t k = no_shape;
     hit h;
@@ -106,15 +105,13 @@ fast_inline bool instances_search(const instances *x, ray r, bool any, bool naiv
     return true;
 }
 
-static inline bool instances_hit(const instances *x, ray r, instance_hit *out)
+fast_inline bool instances_search(const instances *x, ray r, bool any, instance_hit *out,
+                                  instances_work *work)
 {
-    return instances_search(x, r, false, false, out, NULL);
+    return instances_walk(x, r, any, false, out, work);
 }
 
-static inline bool instances_occluded(const instances *x, ray r)
-{
-    return instances_search(x, r, true, false, NULL, NULL);
-}
+STRUCTURE_VERBS_OF(instances, instance_hit, instances_work)
 
 /* A mesh an eighth as large, 10 away, before another of full size, 40 away: in the small one's
  * space D' is eight times as long. Normalised, it takes eight times the t: 80. Each instance counts
@@ -122,18 +119,7 @@ static inline bool instances_occluded(const instances *x, ray r)
  * what is behind comes out in front. */
 static inline bool instances_hit_naive(const instances *x, ray r, instance_hit *out)
 {
-    return instances_search(x, r, false, true, out, NULL);
-}
-
-static inline bool instances_hit_counted(const instances *x, ray r, instance_hit *out,
-                                         instances_work *work)
-{
-    return instances_search(x, r, false, false, out, work);
-}
-
-static inline bool instances_occluded_counted(const instances *x, ray r, instances_work *work)
-{
-    return instances_search(x, r, true, false, NULL, work);
+    return instances_walk(x, r, false, true, out, NULL);
 }
 
 /* Of the point that h says, by its u and v; (0,0,0) if a triangle has no area. */

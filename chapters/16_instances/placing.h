@@ -53,9 +53,6 @@ typedef struct { real by_origin, fixed; } placing;  /* pad = by_origin * |O| + f
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 vabs(vec3 a) { return (vec3){fabs(a.x), fabs(a.y), fabs(a.z)}; }
-static inline real vlargest(vec3 a) { return fabs(vaxis(a, vlongest(a))); }
-
 static inline affine affine_abs(affine m)
 {
     return (affine){vabs(m.x), vabs(m.y), vabs(m.z), vabs(m.o)};
@@ -174,16 +171,15 @@ static inline aabb box_of_points(affine m, const vec3 *v, size_t n)
 /* What overflowed is everywhere: each ray looks into it. */
 static inline bvh_box box_padded(const aabb *w, real pad)
 {
-    vec3 by = {pad, pad, pad}, lo = vsub(w->lo, by), hi = vadd(w->hi, by);
-    if (vfinite(lo) && vfinite(hi)) return box_between(lo, hi);
+    aabb b = first_aabb_pad(*w, pad);
+    if (vfinite(b.lo) && vfinite(b.hi)) return box_between(b.lo, b.hi);
     return (bvh_box){.all = EIGHT_ALL(-INFINITY)};
 }
 
 /* The same without all this care: the nearest floats, and nothing paid. An instance at 1e6, where
  * floats are 1/16 apart, loses what sticks out of them. */
-static inline bvh_box box_padded_naive(const aabb *w, real pad)
+static inline bvh_box box_padded_naive(const aabb *w)
 {
-    (void)pad;
     return (bvh_box){.low = {(float)w->lo.x, (float)w->lo.y, (float)w->lo.z},
                      .minus_high = {-(float)w->hi.x, -(float)w->hi.y, -(float)w->hi.z}};
 }

@@ -122,8 +122,7 @@ static inline wide3 wide3_between(vec3 p, vec3 q, int e)  /* 2^e (q - p) */
 /* The e with which the farthest of them comes near to 1. */
 static inline int wide_scale(vec3 a, vec3 b, vec3 c)
 {
-    real far = real_max(real_max(fabs(vaxis(a, vlongest(a))), fabs(vaxis(b, vlongest(b)))),
-                        fabs(vaxis(c, vlongest(c))));
+    real far = real_max(real_max(vlargest(a), vlargest(b)), vlargest(c));
     int e = 0;
     if (far > 0 && far <= real_largest) (void)frexp(far, &e);
     return -e;

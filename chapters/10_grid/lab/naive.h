@@ -37,10 +37,9 @@ __attribute__((always_inline))
 static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out)
 {
     if (g->entered == 0 || !ray_is_usable(r)) return false;
-    grid_line a = line_of(r);
-    real from = line_begin(&a, r.tmin, -real_largest), to = real_largest;
-    if (!grid_span(g->box, &a, &from, &to)) return false;
-    real end = line_end(&a, r.tmax, to), t;
+    grid_line a;
+    real from, end, t;
+    if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
     grid_walk w = walk_from(&g->cells, &a, from);
@@ -50,7 +49,7 @@ static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool
         step(&w, t);
         if (!grid_ask(g, cell, &q, &seen, false, NULL)) continue;
         if (early) break;
-        end = line_end(&a, q.r.tmax, to);
+        end = line_end(&a, q.r.tmax, end);
     } while (t <= end);
     return query_answer(&q, out);
 }

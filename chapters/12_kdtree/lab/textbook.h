@@ -67,7 +67,7 @@ static inline bool kd_textbook(const kdtree *t, ray r, kd_manner manner, hit *ou
             top += kd_textbook_step(n, o, d, manner, &p, &stack[top]);
             n = t->node[p.node];
         }
-        bool found = t->x.m ? kd_ask_mesh(t, n, &q, false) : kd_ask_scene(t, n, &q, false);
+        bool found = kd_ask(t, n, &q, t->x.m, false);
         if (found && manner == KD_FINAL) return query_answer(&q, out);
         do {
             if (top == 0) return query_answer(&q, out);
