@@ -228,7 +228,7 @@ static void invariants_of(const char *what, mesh m)
     check_at_most(s.depth, 64, "%s: depth", what);
     check_equal(s.depth, deepest(&w, 0), "%s: the deepest node", what);
     check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block, "%s: bytes", what);
-    check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh8_bound) + 2 * bvh8_places),
+    check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh_node) + 2 * bvh8_places),
                    "%s: items, nodes of two and their picks are held at the same time", what);
     for (uint32_t i = 0; i < w.blocks; i++) held -= bvh8_held(&w, i);
     check_equal(held, 0, "%s: in all blocks together", what);
@@ -264,21 +264,25 @@ static void test_invariants(void)
 /* Two groups of items: the cut lies between them, and they are parted by it. Area, bins by hand. */
 static void test_split(void)
 {
-    bvh8_bound item[16], box = {.lo = {1, 2, 3}, .minus_hi = {-2, -4, -6}};
-    check_equal(bvh8_area(&box.all), 1 * 2 + 2 * 3 + 3 * 1, "half the surface of 1 x 2 x 3");
-    check_equal(bvh8_where(&box.all, 1), 2 + 4, "twice its middle");
-    check_equal(bvh8_where(&box.all, 3), 1 + 2 + 3, "its size");
+    bvh_item item[16], box = box_between(vec(1, 2, 3), vec(2, 4, 6));
+    splitter s = {.block = 3, .by_size = 1};
+    check_equal(box_area(&box), 1 * 2 + 2 * 3 + 3 * 1, "half the surface of 1 x 2 x 3");
+    check_equal(item_centre(&box, 1), 2 + 4, "twice its middle");
+    check_equal(item_size(&box), 1 + 2 + 3, "its size");
+    check_equal(split_side(&s, &box, 8), 11, "eight are one test");
+    check_equal(split_side(&s, &box, 9), 22, "nine are two");
     for (int i = 0; i < 16; i++) {  /* ten on the left, not in order */
         float x = (float)i / 64 + (i * 7 % 16 < 10 ? 0.0f : 0.5f);
-        item[i] = (bvh8_bound){.lo = {x, 0, 0}, .minus_hi = {-x - 0.01f, -1, -1}};
+        item[i] = (bvh_item){.low = {x, 0, 0}, .minus_high = {-x - 0.01f, -1, -1}};
     }
-    bvh8_extent e = bvh8_measure(item, 16, 0);
+    split_measure(&s, item, 16);
+    check_equal(s.ways, 4, "at the root by size, too");
+    check_equal(split_binned(&s, item, 16), 10, "the cut is between the groups");
     size_t beyond = 0, astray = 0;
     for (int i = 0; i < 16; i++)
-        beyond += (unsigned)bvh8_bin_of(&item[i], &e, 0) >= (unsigned)e.bins;
-    check(e.bins == bins_for(16) && beyond == 0, "%d bins, items beyond them: %zu", e.bins, beyond);
-    check_equal(bvh8_split(item, 16, &e), 10, "the cut is between the groups");
-    for (int i = 0; i < 16; i++) astray += (item[i].lo[0] < 0.4f) != (i < 10);
+        beyond += (unsigned)bin_of(&s, &item[i], 0) >= (unsigned)s.bins;
+    check(s.bins == bins_for(16) && beyond == 0, "%d bins, items beyond them: %zu", s.bins, beyond);
+    for (int i = 0; i < 16; i++) astray += (item[i].low[0] < 0.4f) != (i < 10);
     check_equal(astray, 0, "each group on its side");
     shape one = shape_of_sphere((sphere){{0, 0, 0}, 1});
     scene world = {&one, 1};

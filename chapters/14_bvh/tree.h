@@ -62,12 +62,18 @@ static inline const bvh_rule *bvh_rule_find(const char *name)
     return NULL;
 }
 
+typedef struct { size_t at, begin, n; int depth; } tree_job;  /* node `at`, of so many items */
+
 typedef struct {
     bvh_tree *tree;
     const bvh_rule *rule;
     bvh_item *item;
     bvh_options options;
     splitter split;
+    bool apart;      /* who is cut before item p has its children at 2 p, not at the next places */
+    size_t aside;    /* sets of so many, or fewer, are not built but put aside */
+    tree_job *job;
+    size_t jobs;
 } tree_builder;
 
 /* How many of the n items go left, or 0: they make a leaf. */
@@ -78,23 +84,29 @@ static inline size_t tree_split(tree_builder *b, bvh_item *item, size_t n, int d
     bool deep = depth + log2_above(n) >= bvh_most_depth;
     if (n == 1 || (fits && (deep || !b->rule->by_cost))) return 0;
     if (deep) return split_by_number(item, n, box_longest(&s->centres));
-    s->cost = HUGE_VAL, s->depth = depth;
+    s->cost = HUGE_VAL;
     size_t left = b->rule->split(s, item, n);
     return fits && s->cost >= (double)n * s->item_cost ? 0 : left;
 }
 
-static inline void tree_node(tree_builder *b, size_t at, size_t begin, size_t n, int depth)
+static inline void tree_node(tree_builder *b, tree_job j)
 {
     bvh_tree *t = b->tree;
-    if (depth > t->depth) t->depth = depth;
-    split_measure(&b->split, b->item + begin, n);
-    t->node[at] = box_numbered(&b->split.box, begin, n);
-    size_t left = tree_split(b, b->item + begin, n, depth), first = t->nodes;
+    if (j.n <= b->aside) {
+        b->job[b->jobs++] = j;
+        return;
+    }
+    if (j.depth > t->depth) t->depth = j.depth;
+    b->split.depth = j.depth;
+    split_measure(&b->split, b->item + j.begin, j.n);
+    t->node[j.at] = box_numbered(&b->split.box, j.begin, j.n);
+    size_t left = tree_split(b, b->item + j.begin, j.n, j.depth), middle = j.begin + left;
+    size_t first = b->apart ? 2 * middle : t->nodes;
     if (left == 0) return;
-    t->node[at].first = (uint32_t)first, t->node[at].count = 0;
+    t->node[j.at] = box_numbered(&b->split.box, first, 0);
     t->nodes += 2;
-    tree_node(b, first, begin, left, depth + 1);
-    tree_node(b, first + 1, begin + left, n - left, depth + 1);
+    tree_node(b, (tree_job){first, j.begin, left, j.depth + 1});
+    tree_node(b, (tree_job){first + 1, middle, j.n - left, j.depth + 1});
 }
 
 /* From the root down, by the cuts of split.h. */
@@ -106,8 +118,8 @@ static inline void tree_by_cuts(const bvh_input *in, const bvh_rule *rule, bvh_o
     splitter s = {.item_cost = how.item_cost};
     s.pairs = tree_array(t, sorted, pair), s.spare = tree_array(t, sorted, pair);
     s.areas = tree_array(t, sorted, sizeof *s.areas);
-    tree_builder b = {t, rule, in->item, how, s};
-    if (!m->full && tree_begin(t, 2 * n + 2) && n) tree_node(&b, 0, 0, n, 0);
+    tree_builder b = {.tree = t, .rule = rule, .item = in->item, .options = how, .split = s};
+    if (!m->full && tree_begin(t, 2 * n + 2) && n) tree_node(&b, (tree_job){0, 0, n, 0});
     memory_drop(m, s.pairs, sorted, pair), memory_drop(m, s.spare, sorted, pair);
     memory_drop(m, s.areas, sorted, sizeof *s.areas);
 }

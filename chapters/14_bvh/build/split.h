@@ -18,6 +18,10 @@
  *
  *      cost = 1 + (area(L) n(L) + area(R) n(R)) / area * item_cost       [tests of a pair of boxes]
  *
+ * Where items are tested eight at once (15), n counts these blocks (15.4). There, near the root,
+ * bins are of size, too: walls and what stands between them have middles side by side, and together
+ * would make every box as large as the room.
+ *
  * What cannot be cut by planes (all centres the same; areas that overflow) is halved by number.
  *
  * Sources: J. Goldsmith, J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing",
@@ -34,11 +38,14 @@
 
 typedef struct {
     double item_cost;         /* of testing an item, where testing a pair of boxes costs 1 */
+    int block;                /* 2^block items are tested at once: 15; elsewhere 0 */
+    int by_size;              /* so many levels from the root, bins of size, too: 15; elsewhere 0 */
     int depth;                /* in: of the node; 0: the root */
-    bvh_box box, centres;     /* in: around the items; around their centres, twice as large */
+    bvh_box box, centres;     /* in: around the items; around their centres, twice as large, and
+                               * in its spare places their sizes */
     double cost;              /* out: of the best split, HUGE_VAL if there is none */
-    float scale[3];           /* bins a unit; 0: all centres the same, or too far apart */
-    int bins;
+    float scale[4];           /* bins a unit; 0: all in one place, or too far apart */
+    int ways, bins;           /* x, y, z, size: 3 or 4; bins of each */
     radix_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
     float *areas;             /* [n] */
 } splitter;
@@ -100,7 +107,7 @@ static inline size_t split_median(splitter *s, bvh_item *item, size_t n)
 
 enum { most_bins = 16 };
 typedef struct { bvh_box box[most_bins]; size_t n[most_bins]; } split_bins;
-typedef struct { double cost; int axis, bin; } split_choice;
+typedef struct { double cost; int way, bin; } split_choice;
 
 static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins; }
 
@@ -109,26 +116,48 @@ static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins
  * parts do not come from the bins but are measured. */
 static inline size_t sample_step(size_t n) { return n < 32768 ? 1 : n / 16384 | 1; }
 
+/* The sum of its sides. */
+static inline float item_size(const bvh_item *i)
+{
+    return -(i->low[0] + i->minus_high[0]) - (i->low[1] + i->minus_high[1])
+         - (i->low[2] + i->minus_high[2]);
+}
+
 static inline void split_scale(splitter *s, size_t n)
 {
     s->bins = bins_for(n);
-    for (int k = 0; k < 3; k++) {
-        float extent = box_high(&s->centres, k) - s->centres.low[k];
+    for (int k = 0; k < s->ways; k++) {
+        float extent = -s->centres.side[4 + k] - s->centres.side[k];
         float scale = (float)s->bins * 0.9999f / extent;
         s->scale[k] = scale < FLT_MAX ? scale : 0;
     }
 }
 
 /* The last one, if inf - inf or 0 times that is no number. */
-static inline int bin_of(const splitter *s, const bvh_item *i, int axis)
+__attribute__((always_inline))
+static inline int bin_of(const splitter *s, const bvh_item *i, int way)
 {
-    float at = (item_centre(i, axis) - s->centres.low[axis]) * s->scale[axis];
-    return (int)float_min(at, (float)(s->bins - 1));
+    float at = way < 3 ? item_centre(i, way) : item_size(i);
+    return (int)float_min((at - s->centres.side[way]) * s->scale[way], (float)(s->bins - 1));
 }
 
-/* Areas times numbers from the right, then from the left; the best plane is after bin
- * `best->bin`. */
-static inline void sweep_bins(const splitter *s, const split_bins *b, int axis, split_choice *best)
+__attribute__((always_inline))
+static inline void bin_add(const splitter *s, split_bins *b, const bvh_item *i, int way)
+{
+    int at = bin_of(s, i, way);
+    box_add(&b[way].box[at], i);
+    b[way].n[at]++;
+}
+
+/* A side of a cut: its area, times how many tests it takes. */
+static inline double split_side(const splitter *s, const bvh_box *box, size_t n)
+{
+    size_t more = ((size_t)1 << s->block) - 1;
+    return n ? box_area(box) * (double)((n + more) >> s->block) : HUGE_VAL;
+}
+
+/* From the right, then from the left; the best plane is after bin `best->bin`. */
+static inline void sweep_bins(const splitter *s, const split_bins *b, int way, split_choice *best)
 {
     double right[most_bins];
     bvh_box box = box_empty();
@@ -136,14 +165,14 @@ static inline void sweep_bins(const splitter *s, const split_bins *b, int axis, 
     for (int i = s->bins - 1; i > 0; i--) {
         box_add(&box, &b->box[i]);
         n += b->n[i];
-        right[i] = n ? box_area(&box) * (double)n : HUGE_VAL;
+        right[i] = split_side(s, &box, n);
     }
     box = box_empty(), n = 0;
     for (int i = 0; i + 1 < s->bins; i++) {
         box_add(&box, &b->box[i]);
         n += b->n[i];
-        double cost = n ? box_area(&box) * (double)n + right[i + 1] : HUGE_VAL;
-        if (cost < best->cost) *best = (split_choice){cost, axis, i};
+        double cost = split_side(s, &box, n) + right[i + 1];
+        if (cost < best->cost) *best = (split_choice){cost, way, i};
     }
 }
 
@@ -156,25 +185,23 @@ static inline double split_cost(const splitter *s, double sum)
 
 static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 {
-    split_bins bins[3];
+    split_bins bins[4];
     split_choice best = {HUGE_VAL, 0, 0};
     split_scale(s, n);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < s->ways; k++)
         for (int i = 0; i < s->bins; i++) bins[k].box[i] = box_empty(), bins[k].n[i] = 0;
-    for (size_t i = 0; i < n; i += sample_step(n))
+    for (size_t i = 0; i < n; i += sample_step(n)) {
         EIGHT_UNROLL
-        for (int k = 0; k < 3; k++) {
-            int at = bin_of(s, &item[i], k);
-            box_add(&bins[k].box[at], &item[i]);
-            bins[k].n[at]++;
-        }
-    for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) bin_add(s, bins, &item[i], k);
+        if (s->ways > 3) bin_add(s, bins, &item[i], 3);
+    }
+    for (int k = 0; k < s->ways; k++)
         if (s->scale[k] > 0) sweep_bins(s, &bins[k], k, &best);
     s->cost = split_cost(s, best.cost);
     if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
     size_t left = 0, right = n;
     while (left < right) {
-        if (bin_of(s, &item[left], best.axis) <= best.bin) left++;
+        if (bin_of(s, &item[left], best.way) <= best.bin) left++;
         else item_swap(&item[left], &item[--right]);
     }
     return left;
@@ -225,12 +252,20 @@ static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
 
 static inline void split_measure(splitter *s, const bvh_item *item, size_t n)
 {
-    s->box = s->centres = box_empty();
+    bvh_box box = box_empty(), centres = box;
+    s->ways = s->depth < s->by_size ? 4 : 3;
     for (size_t i = 0; i < n; i++) {
         bvh_box centre;
         for (int k = 0; k < 8; k++) centre.side[k] = item[i].side[k] - item[i].side[k ^ 4];
-        box_add(&s->box, &item[i]), box_add(&s->centres, &centre);
+        box_add(&box, &item[i]), box_add(&centres, &centre);
     }
+    centres.side[3] = centres.side[7] = INFINITY;
+    for (size_t i = 0; s->ways > 3 && i < n; i++) {
+        float size = item_size(&item[i]);
+        centres.side[3] = float_min(size, centres.side[3]);
+        centres.side[7] = float_min(-size, centres.side[7]);
+    }
+    s->box = box, s->centres = centres;
 }
 
 #endif
