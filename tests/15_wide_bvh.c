@@ -47,17 +47,17 @@ static void test_corners(void)
             c[k] = (real)(float)(1 - random_next(&g) / 50);
             o[k] = (real)-1.03 + random_next(&g) / 50;
             if (random_next_bits(&g) & 1) c[k] = -c[k], o[k] = -o[k];
-            for (int j = 0; j < bvh8_places; j++) n.side[k][j] = n.side[k + 3][j] = (float)c[k];
+            for (int j = 0; j < 8; j++) n.side[k][j] = n.side[k + 3][j] = (float)c[k];
         }
         vec3 from = {o[0], o[1], o[2]}, to = {c[0], c[1], c[2]};
         ray r = ray_from(from, vscale(vsub(to, from), 1 / t));
         bvh8_ray q;
-        eight enter[bvh8_places / 8];
+        eight enter;
         bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
         for (int bare = 0; bare < 2; bare++) {
             for (int k = 0; k < 3 && bare; k++)
                 q.near_o[k] = q.far_o[k] = 0.5f * q.near_o[k] + 0.5f * q.far_o[k];
-            lost[bare] += __builtin_popcountll(bvh8_boxes_0(&n, &q, enter)) != bvh8_places;
+            lost[bare] += __builtin_popcountll(bvh8_boxes_0(&n, &q, &enter)) != 8;
         }
     }
     check_equal(lost[0], 0, "corners of boxes: %zu rays, lost", rays);
@@ -184,7 +184,7 @@ static void count_items(const bvh8 *w, uint32_t at, const float *box, size_t *se
         return;
     }
     const bvh8_node *n = &w->node[at];
-    for (int k = 0; k < bvh8_places; k++) {
+    for (int k = 0; k < 8; k++) {
         float part[6];
         for (int s = 0; s < 6; s++) part[s] = n->side[s][k];
         if (part[0] > part[3]) continue;
@@ -197,7 +197,7 @@ static int deepest(const bvh8 *w, uint32_t at)
 {
     int below = 0;
     if (at & bvh8_leaf) return 0;
-    for (int k = 0; k < bvh8_places; k++) {
+    for (int k = 0; k < 8; k++) {
         if (w->node[at].side[0][k] > w->node[at].side[3][k]) continue;
         int d = deepest(w, w->node[at].child[k]);
         below = d > below ? d : below;
@@ -228,7 +228,7 @@ static void invariants_of(const char *what, mesh m)
     check_at_most(s.depth, 64, "%s: depth", what);
     check_equal(s.depth, deepest(&w, 0), "%s: the deepest node", what);
     check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block, "%s: bytes", what);
-    check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh_node) + 2 * bvh8_places),
+    check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh_node) + 2 * 8),
                    "%s: items, nodes of two and their picks are held at the same time", what);
     for (uint32_t i = 0; i < w.blocks; i++) held -= bvh8_held(&w, i);
     check_equal(held, 0, "%s: in all blocks together", what);
@@ -237,7 +237,7 @@ static void invariants_of(const char *what, mesh m)
         bool alike = again.nodes == w.nodes && again.blocks == w.blocks
             && !memcmp(again.block, w.block, w.blocks * sizeof *w.block);
         for (size_t i = 0; alike && i < w.nodes; i++)
-            alike = !memcmp(&again.node[i], &w.node[i], offsetof(bvh8_node, child[bvh8_places]));
+            alike = !memcmp(&again.node[i], &w.node[i], offsetof(bvh8_node, child[8]));
         check(alike, "%s: %d threads make the same tree, to the last byte", what, how.threads);
         bvh8_free(&again);
     }
@@ -355,7 +355,7 @@ static size_t nodes_met(const bvh8 *w, uint32_t at, ray r)
     size_t n = 1;
     real enter;
     if (at & bvh8_leaf) return 0;
-    for (int k = 0; k < bvh8_places; k++) {
+    for (int k = 0; k < 8; k++) {
         aabb b;
         for (int s = 0; s < 3; s++)
             ((real *)&b.lo)[s] = (real)w->node[at].side[s][k],
@@ -570,11 +570,12 @@ static void test_left_out(void)
         check(bvh8_build(&x, how, &w, NULL), "built");
         for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
             hit h = hit_none;
-            bool met = bvh8_hit_but(&w, r, list[i].but, &h);
+            bool met = bvh8_ask(&w, r, list[i].but, &h, NULL);
             check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d / 2],
                         i);
             check(met == (list[i].first != no_shape)
-                  && bvh8_occluded_but(&w, r, list[i].but) == met, "left out %zu: met at all", i);
+                  && bvh8_ask(&w, r, list[i].but, NULL, NULL) == met,
+                  "left out %zu: met at all", i);
         }
         bvh8_free(&w);
     }

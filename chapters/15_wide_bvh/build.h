@@ -24,14 +24,14 @@
 #include "../../common/parallel.h"
 #include "tree8.h"
 
-typedef struct { float cost[bvh8_places]; int leaves; } bvh8_costs;
+typedef struct { float of[8]; } bvh8_costs;  /* of 1 to 8 places */
 
 typedef struct {
     bvh8 *w;
     int width;
     bvh_item *item;       /* [n] */
     bvh_node *node;       /* [2 n] as in 14 */
-    uint8_t (*pick)[bvh8_places];  /* [2 n] (15.5): best k for j places at j - 1; 0: C(s, j - 1) */
+    uint8_t (*pick)[8];     /* [2 n] (15.5): best k for j places at j - 1; 0: C(s, j - 1) */
     uint32_t *leaves;     /* [blocks] which becomes that block */
     size_t n;
 } bvh8_builder;
@@ -80,29 +80,26 @@ static inline bool bvh8_grow(const bvh8_builder *b, int leaf, int threads)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (15.5) at `at`, for no more places than it has leaves. pick[0] is that of the places in the node
- * which it may become; 0: a leaf. */
+/* (15.5) at `at`. pick[0] is that of the places in the node which it may become; 0: a leaf. */
 static inline bvh8_costs bvh8_price(const bvh8_builder *b, uint32_t at)
 {
     const bvh_node *s = &b->node[at];
     uint8_t *pick = b->pick[at];
-    bvh8_costs out = {.leaves = 1};
-    if (s->count) return out;
+    bvh8_costs c = {{0}};
+    if (s->count) return c;
     bvh8_costs l = bvh8_price(b, s->first), r = bvh8_price(b, s->first + 1);
-    out.leaves = l.leaves + r.leaves < b->width ? l.leaves + r.leaves : b->width;
-    for (int j = 2; j <= out.leaves; j++) {
-        float *best = &out.cost[j - 1];
-        *best = INFINITY;
-        for (int k = j > r.leaves ? j - r.leaves : 1; k < j && k <= l.leaves; k++) {
-            float c = l.cost[k - 1] + r.cost[j - k - 1];
-            if (c < *best) *best = c, pick[j - 1] = (uint8_t)k;
+    for (int j = 1; j < b->width; j++) {
+        c.of[j] = INFINITY;
+        for (int k = 0; k < j; k++) {
+            float sum = l.of[k] + r.of[j - 1 - k];
+            if (sum < c.of[j]) c.of[j] = sum, pick[j] = (uint8_t)(k + 1);
         }
     }
-    pick[0] = pick[out.leaves - 1];
-    out.cost[0] = out.cost[out.leaves - 1] + (float)box_area(s);
+    pick[0] = pick[b->width - 1];
+    c.of[0] = c.of[b->width - 1] + (float)box_area(s);
     for (int j = 1; j < b->width; j++)
-        if (out.cost[j - 1] <= out.cost[j]) out.cost[j] = out.cost[j - 1], pick[j] = 0;
-    return out;
+        if (c.of[j - 1] <= c.of[j]) c.of[j] = c.of[j - 1], pick[j] = 0;
+    return c;
 }
 
 /* The nodes that take the `places` places given to `at`: into list[], and how many. */
@@ -119,7 +116,7 @@ static inline int bvh8_spread(const bvh8_builder *b, uint32_t at, int places, ui
 static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth)
 {
     bvh8 *w = b->w;
-    uint32_t first = b->node[at].first, list[bvh8_places] = {at};
+    uint32_t first = b->node[at].first, list[8] = {at};
     int left = b->pick[at][0], n = 1;
     if (!left && depth > 1 && !w->x.m) return bvh8_leaf | b->item[first].index;
     if (!left && depth > 1) {
@@ -130,7 +127,7 @@ static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth)
     if (left) n = bvh8_spread(b, first, left, list);
     if (left) n += bvh8_spread(b, first + 1, b->width - left, list + n);
     if (depth > w->depth) w->depth = depth;
-    for (int k = 0; k < bvh8_places; k++) {
+    for (int k = 0; k < 8; k++) {
         uint32_t child = k < n ? bvh8_emit(b, list[k], depth + 1) : 0;
         if (!w->node) continue;
         bvh_box box = k < n ? b->node[list[k]] : box_empty();
@@ -200,9 +197,8 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
 {
     aabb all;
     *w = (bvh8){.x = *x, .scale = 1, .dialect = how.dialect};
-    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > bvh8_places)
-        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..%d", how.leaf, how.width,
-                      bvh8_places);
+    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8)
+        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8", how.leaf, how.width);
     if (!items_all_bounds(x, &all, f)) return false;
     if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
     bvh8_builder b = {.w = w, .width = how.width};

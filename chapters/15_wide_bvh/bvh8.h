@@ -9,9 +9,12 @@
  *        y ..              ..                    bvh8_stats(&w)
  *   child 8 numbers        8 numbers             bvh8_free(&w)           a zeroed one may be freed
  *
- *   bvh8_hit_but(&w, r, skip, &h), bvh8_occluded_but(&w, r, skip)    the same answers, sooner,
- *                                    where the caller knows items that r can't hit: tree8.h
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
+ *   bvh8_ask(&w, r, skip, &h, &work)     any of these four: h NULL, is there any? work NULL, not
+ *                                        counted. Sooner, where the caller knows items that r
+ *                                        can't hit: bvh8_skip, tree8.h
+ *   bvh8_ask_at(&w, &r, skip, &h, &work) the same, where r lies in memory and was not written just
+ *                                        now: ray8.h says why
  *
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
@@ -19,7 +22,7 @@
  * (But for the sign of a zero; and not where 1 / d, or the items' size in lengths of d, is no
  * normal number: d of 1e-310, or of 1e303 for items of 1e-8. There t overflows or vanishes.)
  *
- *   how.leaf, how.width   most triangles in a block [1..8], children of a node [2..bvh8_places]
+ *   how.leaf, how.width   most triangles in a block [1..8], children of a node [2..8]
  *   how.threads           0: one a core; the tree is the same for any number
  *   how.dialect           EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
  *   how.most_bytes        while it is built, about; more: false
@@ -41,32 +44,16 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Where r lies in memory and was not written just now. */
 eight_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
                               search_work *work)
 {
-#if EIGHT_X86
-    if (w->dialect == EIGHT_AVX512) return bvh8_find_2(w, r, &skip, out, work);
-    if (w->dialect == EIGHT_AVX2) return bvh8_find_1(w, r, &skip, out, work);
-#endif
-    return bvh8_find_0(w, r, &skip, out, work);
+    return EIGHT_CALL(w->dialect, bvh8_find, w, r, &skip, out, work);
 }
 
-/* Field by field: ray8.h says why. */
 eight_inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     return bvh8_ask_at(w, &own, skip, out, work);
-}
-
-eight_inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
-{
-    return bvh8_ask(w, r, skip, out, NULL);
-}
-
-eight_inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
-{
-    return bvh8_ask(w, r, skip, NULL, NULL);
 }
 
 __attribute__((always_inline))

@@ -79,13 +79,6 @@ eight_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float 
     q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
 }
 
-/* Rounded at once: one by one takes five instructions more. */
-eight_inline floats4 bvh8_floats(vec3 a)
-{
-    typedef real reals4 __attribute__((vector_size(4 * sizeof(real))));
-    return __builtin_convertvector(((reals4){a.x, a.y, a.z, 1}), floats4);
-}
-
 /* What all rays need, from o and d in the frame. size: S; way: S before the origin was moved. */
 eight_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way)
 {
@@ -93,12 +86,12 @@ eight_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, rea
         + 4 * (double)real_epsilon * fabs(q->shift);
     bvh8_interval(q, q->r);
     float S = (float)size, owed = (float)(way * real_epsilon);
-    floats4 o = bvh8_floats(at), along = bvh8_floats(d), i = 1 / along;
+    floats4 o = floats4_of(at), along = floats4_of(d), i = 1 / along;
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
     floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
     q->near_o = floats4_within(-p - error, FLT_MAX), q->far_o = floats4_within(error - p, FLT_MAX);
-    const int32_t row = sizeof(float[bvh8_places]);  /* enters three rows on if it goes down */
+    const int32_t row = sizeof(eight);  /* enters three rows on if it goes down */
     whole4 high = (i < 0) & 3 * row;
     q->near = (whole4){0, row, 2 * row} + high, q->far = (whole4){3 * row, 4 * row, 5 * row} - high;
     if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
@@ -201,22 +194,14 @@ static bool bvh8_sheared(const shape *x, uint32_t i, bvh8_ray *q)
     return bvh8_keep(q, h, i), true;
 }
 
-__attribute__((noinline, flatten, cold))
-static bool bvh8_sphere_in_doubt(const sphere *x, uint32_t i, bvh8_ray *q)
-{
-    hit h;
-    if (!sphere_hit(*x, bvh8_rest(q), &h)) return false;
-    return bvh8_keep(q, h, i), true;
-}
-
-/* Most are clear, and the test of these alone needs hardly a stack. */
+/* Most spheres are clear, and the test of these alone needs hardly a stack. */
 __attribute__((noinline, flatten))
-static bool bvh8_sphere(const sphere *x, uint32_t i, bvh8_ray *q)
+static bool bvh8_sphere(const shape *x, uint32_t i, bvh8_ray *q)
 {
     hit h;
-    sphere_answer answer = sphere_hit_if_clear(*x, bvh8_rest(q), &h);
+    sphere_answer answer = sphere_hit_if_clear(x->sphere, bvh8_rest(q), &h);
     if (answer == SPHERE_MISS) return false;
-    if (answer == SPHERE_DOUBT) return bvh8_sphere_in_doubt(x, i, q);
+    if (answer == SPHERE_DOUBT) return bvh8_sheared(x, i, q);
     return bvh8_keep(q, h, i), true;
 }
 
@@ -225,7 +210,7 @@ eight_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
     const shape *x = &w->x.s->shapes[i];
     const bvh8_skip *but = q->skip;
     if (i == but->from || i - but->first <= but->last - but->first) return false;
-    return x->kind == SHAPE_SPHERE ? bvh8_sphere(&x->sphere, i, q) : bvh8_sheared(x, i, q);
+    return x->kind == SHAPE_SPHERE ? bvh8_sphere(x, i, q) : bvh8_sheared(x, i, q);
 }
 
 #endif

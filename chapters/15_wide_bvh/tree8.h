@@ -20,17 +20,9 @@
 #include "../14_bvh/tree.h"
 
 #define bvh8_leaf 0x80000000u
+enum { bvh8_stack = 64 * 8 };  /* all but one a level wait, and no tree is deeper */
 
-/* Of a node: 8, or 16 by -Dbvh8_places=16, which are tested as two times eight. */
-#ifndef bvh8_places
-#define bvh8_places 8
-#endif
-enum { bvh8_stack = 64 * bvh8_places };  /* all but one a level wait, and no tree is deeper */
-
-typedef struct {
-    float side[6][bvh8_places];
-    uint32_t child[bvh8_places];
-} __attribute__((aligned(64))) bvh8_node;
+typedef struct { float side[6][8]; uint32_t child[8]; } __attribute__((aligned(64))) bvh8_node;
 typedef struct { eight corner[9]; uint32_t index[8]; } __attribute__((aligned(64))) bvh8_block;
 
 typedef struct {
@@ -39,7 +31,7 @@ typedef struct {
     size_t most_bytes;
 } bvh8_options;
 
-#define bvh8_defaults ((bvh8_options){8, bvh8_places, 0, eight_best(), SIZE_MAX})
+#define bvh8_defaults ((bvh8_options){8, 8, 0, eight_best(), SIZE_MAX})
 
 typedef struct {
     items x;

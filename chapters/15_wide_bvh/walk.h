@@ -10,37 +10,21 @@
  * left. A search for any hit ends there.
  */
 
-/* (15.2) of eight children, at lanes 8 h on: those that are met, and where, not before 0. */
-EIGHT_INLINE eight_set EIGHT(bvh8_half)(const bvh8_node *n, int h, const bvh8_ray *q, eight *enter)
+/* (15.2): the children that are met, and where, not before 0. */
+EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
 {
-    const eight *from = (const eight *)n->side[0] + h;
     eight near[3], far[3];
     EIGHT_UNROLL
     for (int k = 0; k < 3; k++) {
         eight i = EIGHT_ALL(q->inverse[k]);
-        near[k] = EIGHT_FMA(bvh8_row(from, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
-        far[k] = EIGHT_FMA(bvh8_row(from, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
+        near[k] = EIGHT_FMA(bvh8_row(n->side, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
+        far[k] = EIGHT_FMA(bvh8_row(n->side, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
     }
     eight begin = EIGHT_MAX(near[2], EIGHT_ALL(q->tmin));
     eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
     begin = EIGHT_MAX(EIGHT_MAX(near[0], near[1]), begin);
-    enter[h] = EIGHT_MAX(begin, EIGHT_ALL(0));
+    *enter = EIGHT_MAX(begin, EIGHT_ALL(0));
     return EIGHT_LE_BITS(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
-}
-
-/* Of all children: the set of the second eight lies between the bits of the first, or behind. */
-EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
-{
-    eight_set mask = EIGHT(bvh8_half)(n, 0, q, enter);
-    if (bvh8_places == 8) return mask;
-    return mask | EIGHT(bvh8_half)(n, 1, q, enter) << (EIGHT_DIALECT ? 8 : 1);
-}
-
-/* The number of the first of them. */
-EIGHT_INLINE int EIGHT(bvh8_first)(eight_set mask)
-{
-    int bit = __builtin_ctzll(mask);
-    return EIGHT_DIALECT ? bit : bvh8_places == 8 ? bit / 8 : bit / 8 + bit % 8 * 8;
 }
 
 /* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
@@ -110,10 +94,10 @@ EIGHT_INLINE uint32_t EIGHT(bvh8_push)(const bvh8_node *n, eight_set mask, const
 {
     const uint32_t *bits = (const uint32_t *)enter;  /* a copy would wait for them */
     uint64_t *const base = *top, *end = base;
-    int k = EIGHT(bvh8_first)(mask);
+    int k = EIGHT_FIRST(mask);
     uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
     while (mask &= mask - 1) {
-        k = EIGHT(bvh8_first)(mask);
+        k = EIGHT_FIRST(mask);
         uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
         uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
         near = next < near ? next : near;
@@ -132,12 +116,12 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
             const bvh8_node *n = &w->node[at];
-            eight enter[bvh8_places / 8];
-            eight_set mask = EIGHT(bvh8_boxes)(n, q, enter);
+            eight enter;
+            eight_set mask = EIGHT(bvh8_boxes)(n, q, &enter);
             if (work) work->nodes++;
             if (mask == 0) goto next;
-            at = n->child[EIGHT(bvh8_first)(mask)];
-            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, enter, &top);
+            at = n->child[EIGHT_FIRST(mask)];
+            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, &enter, &top);
         }
         at &= ~bvh8_leaf;
         if (work) work->leaves++, work->tests += bvh8_held(w, at);

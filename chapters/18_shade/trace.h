@@ -166,7 +166,7 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
         else if (at & bvh8_leaf)
             for (int k = 0; k < 8 && !a->end; k++)
                 trace_ask_item(a, &w->x, w->block[leaf].index[k]);
-        else for (int k = 0; k < bvh8_places; k++)
+        else for (int k = 0; k < 8; k++)
             if (trace_meets_box(&w->node[at], k, &q, limit))
                 stack[top++] = w->node[at].child[k];
     }

@@ -261,7 +261,7 @@ static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place,
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
     hit h = hit_none, other;
-    bool met = bvh8_hit_but(&s->trees->of_mesh, r, (bvh8_skip){from, no_shape, no_shape}, &h);
+    bool met = bvh8_ask(&s->trees->of_mesh, r, (bvh8_skip){from, no_shape, no_shape}, &h, NULL);
     ray rest = {r.o, r.tmin, r.d, met ? h.t : r.tmax};
     if (s->shapes && bvh8_hit(&s->trees->of_shapes, rest, &other) && (!met || other.t < h.t)) {
         lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
@@ -283,7 +283,7 @@ static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, u
 {
     bvh8_skip skip = e < s->emitters ? s->skip[e] : bvh8_skip_none;
     skip.from = from;
-    return bvh8_occluded_but(&s->trees->of_mesh, r, skip)
+    return bvh8_ask(&s->trees->of_mesh, r, skip, NULL, NULL)
         || (s->shapes && bvh8_occluded(&s->trees->of_shapes, r));
 }
 

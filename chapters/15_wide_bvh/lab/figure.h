@@ -73,7 +73,7 @@ static inline void draw_lanes(const options *o)
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
     q.limit = INFINITY;
     const bvh8_node *n = &w.node[0];
-    eight enter[bvh8_places / 8], exit;
+    eight enter, exit;
     for (int k = 0; k < 8; k++) {
         float end = q.limit;
         for (int a = 0; a < 3; a++) {
@@ -82,9 +82,9 @@ static inline void draw_lanes(const options *o)
         }
         exit[k] = end;
     }
-    eight_set met = bvh8_boxes_0(n, &q, enter);
+    eight_set met = bvh8_boxes_0(n, &q, &enter);
     for (int k = 0; k < 8; k++)
-        enter[0][k] /= (float)q.scale, exit[k] /= (float)q.scale;
+        enter[k] /= (float)q.scale, exit[k] /= (float)q.scale;
     figure_origin(&g, 330, 165, 130);
     for (size_t i = 0; i < m.triangles; i++) {
         double xy[6];
@@ -102,7 +102,7 @@ static inline void draw_lanes(const options *o)
         for (int k = 0; k < 8; k++) row[k] /= (float)w.scale;
         lanes_cells(&g, 1 + s, side[s], &row, 0, s < 3 ? FIGURE_BLUE : FIGURE_GREEN);
     }
-    lanes_cells(&g, 8, "_t_~enter~", enter, met, "#ffffff");
+    lanes_cells(&g, 8, "_t_~enter~", &enter, met, "#ffffff");
     lanes_cells(&g, 9, "_t_~exit~", &exit, met, "#ffffff");
     lanes_cells(&g, 10, "met", NULL, met, "#ffffff");
     figure_end(&g);

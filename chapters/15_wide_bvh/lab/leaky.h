@@ -15,14 +15,7 @@
 
 static inline bool bvh8_leaky(const bvh8 *w, ray r, hit *out)
 {
-    static bool (*const search[])(const bvh8 *w, const ray *r, hit *out) = {
-#if EIGHT_X86
-        bvh8_leaky_0, bvh8_leaky_1, bvh8_leaky_2
-#else
-        bvh8_leaky_0
-#endif
-    };
-    return search[w->dialect](w, &r, out);
+    return EIGHT_CALL(w->dialect, bvh8_leaky, w, &r, out);
 }
 
 static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out) { return bvh8_leaky(w, r, out); }

@@ -31,10 +31,10 @@ static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
             }
         } else {
             const bvh8_node *n = &w->node[at];
-            eight enter[bvh8_places / 8];
-            mask = EIGHT(bvh8_boxes)(n, &q, enter);
-            if (mask) at = n->child[EIGHT(bvh8_first)(mask)];
-            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, enter, &top);
+            eight enter;
+            mask = EIGHT(bvh8_boxes)(n, &q, &enter);
+            if (mask) at = n->child[EIGHT_FIRST(mask)];
+            if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, &enter, &top);
         }
         if (mask) continue;
         do if (top == stack) {

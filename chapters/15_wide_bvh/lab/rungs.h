@@ -32,8 +32,8 @@ static inline eight_set rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool a
 {
     eight_set mask = 0;
     if (at_once) return bvh8_boxes_0(n, q, enter);
-    for (int k = 0; k < bvh8_places; k++)
-        mask |= (eight_set)rung_box(n, k, q, (float *)enter + k) << (8 * (k % 8) + k / 8);
+    for (int k = 0; k < 8; k++)
+        mask |= (eight_set)rung_box(n, k, q, (float *)enter + k) << 8 * k;
     return mask;
 }
 
@@ -59,8 +59,8 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
     query ask = query_of(r);
     bvh8_ray q;
     if (w->nodes == 0 || !bvh8_ray_of(w, &r, &bvh8_skip_none, &q)) return false;
-    eight from[bvh8_places / 8];
-    const float *enter = (const float *)from;
+    eight from;
+    const float *enter = (const float *)&from;
     stack[0] = (rung_waiting){0, -INFINITY};
     while (top > 0) {
         rung_waiting now = stack[--top];
@@ -71,9 +71,9 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
             continue;
         }
         const bvh8_node *n = &w->node[now.child];
-        eight_set mask = rung_boxes(n, &q, at_once, from);
+        eight_set mask = rung_boxes(n, &q, at_once, &from);
         for (int base = top; mask; mask &= mask - 1) {
-            int k = bvh8_first_0(mask), j = top++;
+            int k = __builtin_ctzll(mask) / 8, j = top++;
             for (; nearest && j > base && stack[j - 1].enter < enter[k]; j--)
                 stack[j] = stack[j - 1];
             stack[j] = (rung_waiting){n->child[k], enter[k]};

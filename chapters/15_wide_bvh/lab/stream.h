@@ -26,14 +26,7 @@ typedef struct { uint32_t child, rays; float enter; } stream_waiting;
 
 static inline void bvh8_hit_stream(const bvh8 *w, const ray *r, int n, hit *out, stream_work *work)
 {
-    static void (*const search[])(const bvh8 *, const ray *, int, hit *, stream_work *) = {
-#if EIGHT_X86
-        bvh8_stream_0, bvh8_stream_1, bvh8_stream_2
-#else
-        bvh8_stream_0
-#endif
-    };
-    search[w->dialect](w, r, n, out, work);
+    EIGHT_CALL(w->dialect, bvh8_stream, w, r, n, out, work);
 }
 
 typedef struct { const bvh8 *w; const ray_set *rays; int together; size_t hits; stream_work work; }

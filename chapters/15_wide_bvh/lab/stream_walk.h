@@ -13,9 +13,8 @@ static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, str
     while (top > 0) {
         stream_waiting now = stack[--top];
         bool leaf = now.child & bvh8_leaf;
-        uint32_t at = now.child & ~bvh8_leaf, rays[bvh8_places] = {0};
-        eight near[bvh8_places / 8], enter[bvh8_places / 8];
-        for (int h = 0; h < bvh8_places / 8; h++) near[h] = EIGHT_ALL(INFINITY);
+        uint32_t at = now.child & ~bvh8_leaf, rays[8] = {0};
+        eight near = EIGHT_ALL(INFINITY), enter;
         work->fetched += !leaf && now.rays;
         for (unsigned left = now.rays; left; left &= left - 1) {
             int i = __builtin_ctz(left);
@@ -24,16 +23,15 @@ static void EIGHT(bvh8_stream)(const bvh8 *w, const ray *r, int n, hit *out, str
                 EIGHT(bvh8_triangles)(w, &w->block[at], &q[i], false);
                 continue;
             }
-            eight_set mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], enter);
-            for (int h = 0; h < bvh8_places / 8; h++)
-                near[h] = EIGHT_MIN(near[h], enter[h]);
+            eight_set mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], &enter);
+            near = EIGHT_MIN(near, enter);
             work->asked++;
-            for (; mask; mask &= mask - 1) rays[EIGHT(bvh8_first)(mask)] |= 1u << i;
+            for (; mask; mask &= mask - 1) rays[EIGHT_FIRST(mask)] |= 1u << i;
         }
-        for (int k = 0, base = top; k < bvh8_places; k++) {
+        for (int k = 0, base = top; k < 8; k++) {
             if (!rays[k]) continue;
             int j = top++;
-            const float t = near[k / 8][k % 8];
+            const float t = near[k];
             for (; j > base && stack[j - 1].enter < t; j--) stack[j] = stack[j - 1];
             stack[j] = (stream_waiting){w->node[at].child[k], rays[k], t};
         }
