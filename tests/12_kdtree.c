@@ -116,7 +116,7 @@ static void test_eyes(void)
  * other, and what is added must be more than that. */
 static void test_corners(void)
 {
-    const kd_frame home = {{0, 0, 0}, 1};
+    const aabb_frame home = {{0, 0, 0}, 1};
     const real far[] = {0, 0.0625, 1000, 1e6};
     for (int k = 0; k < 4; k++) {
         size_t lost = 0, lost_naive = 0, rays = check_count(400000);
@@ -214,7 +214,7 @@ static void invariants_of(const char *what, mesh m, kdtree_options how)
         if (i % 4 == 0) u = 0;
         if (i % 8 == 0) v = 0;
         vec3 p = vmadd(vmadd(tri.a, vsub(tri.b, tri.a), u), vsub(tri.c, tri.a), v);
-        p = kd_place(&t.frame, p);
+        p = frame_into(&t.frame, p);
         lost += !leaf_lists(&t, 0, (real[3]){p.x, p.y, p.z}, k);
     }
     check_equal(lost, 0, "%s: every point of a triangle is in a cell that lists it", what);
@@ -420,7 +420,7 @@ static void test_no_more(void)
 static void test_owed(void)
 {
     const double eps = (double)real_epsilon;
-    const kd_frame here = {{0, 0, 0}, 1};
+    const aabb_frame here = {{0, 0, 0}, 1};
     const kd_box box = {{-1, -1, -1}, {1, 1, 1}};
     kd_ray q;
     kd_ray_of(ray_from((vec3){0, 0, -3}, (vec3){1, 1, 1}), &here, &box, 1, &q);  /* D = 4 */

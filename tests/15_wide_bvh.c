@@ -37,7 +37,7 @@ static void test_structures(void)
  * on opposite sides, where all roundings of (15.6) are at their largest. */
 static void test_corners(void)
 {
-    const bvh8 w = {.scale = 1};
+    const bvh8 w = {.frame.scale = 1};
     size_t lost[2] = {0, 0}, rays = check_count(3000000);
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(82, i, 0);
@@ -77,7 +77,7 @@ static bool in_doubt(doubtful c, bvh8_ray *q)
 {
     const double v[9] = {0, -c.a, c.z[0], 0, c.a, c.z[1], c.b, 0, c.z[2]};
     bvh8_block one = {.index = {0}};
-    const bvh8 w = {.scale = 1, .exact = true, .block = &one};
+    const bvh8 w = {.frame.scale = 1, .exact = true, .block = &one};
     for (int j = 0; j < 9; j++) one.corner[j][0] = (float)v[j];
     for (int k = 1; k < 8; k++) one.index[k] = no_shape;
     ray r = {vec(c.x, 0, -1), 0, {0, 0, 1}, (real)c.tmax};
@@ -130,7 +130,7 @@ static void test_bounds(void)
         wrong += !((double)bvh8_limit(&unit, x) >= high);
     }
     check_equal(wrong, 0, "the ends of an interval leave two roundings, whatever x");
-    const bvh8 w = {.scale = 1};
+    const bvh8 w = {.frame.scale = 1};
     ray r = ray_from((vec3){0, 0, -65536}, (vec3){0, 0, 1});
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
     check_at_least(q.slack, 3 * eps * 65536, "far away: the place is off by 3 eps of the way");
@@ -174,7 +174,8 @@ static void count_items(const bvh8 *w, uint32_t at, const float *box, size_t *se
             if (b->index[k] == no_shape) continue;
             seen[b->index[k]]++;
             triangle t = mesh_triangle(w->x.m, b->index[k]);
-            const vec3 p[3] = {bvh8_into(w, t.a), bvh8_into(w, t.b), bvh8_into(w, t.c)};
+            const vec3 p[3] = {frame_into(&w->frame, t.a), frame_into(&w->frame, t.b),
+                               frame_into(&w->frame, t.c)};
             for (int j = 0; j < 9; j++) {
                 real x = vaxis(p[j / 3], j % 3);
                 *outside += x < (real)box[j % 3] || x > (real)box[3 + j % 3];
@@ -383,7 +384,7 @@ static void test_cost(void)
         hit h;
         if (!bvh8_hit_counted(&w, r, &h, &work)) {
             missed.nodes += work.nodes;
-            r.o = bvh8_into(&w, r.o), met += nodes_met(&w, 0, r);
+            r.o = frame_into(&w.frame, r.o), met += nodes_met(&w, 0, r);
             continue;
         }
         whole.nodes += work.nodes, whole.tests += work.tests, hits++;

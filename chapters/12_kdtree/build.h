@@ -27,7 +27,7 @@
 
 static inline void kd_corner(const kd_builder *b, vec3 p, double out[3])
 {
-    vec3 q = kd_place(&b->t->frame, p);
+    vec3 q = frame_into(&b->t->frame, p);
     out[0] = (double)q.x, out[1] = (double)q.y, out[2] = (double)q.z;
 }
 
@@ -57,13 +57,12 @@ static inline void kd_cut_polygon(const kd_builder *b, const polygon *p, int axi
 }
 
 /* A box of the tree as one of the scene, a little larger where coordinates were moved. */
-static inline aabb kd_in_scene(const kd_frame *f, const kd_box *b)
+static inline aabb kd_in_scene(const aabb_frame *f, const kd_box *b)
 {
     vec3 lo = vec(b->lo[0], b->lo[1], b->lo[2]), hi = vec(b->hi[0], b->hi[1], b->hi[2]);
     vec3 c = f->centre;
     real spare = vzero(c) ? 0 : 4 * real_epsilon * vlargest(c);
-    lo = vadd(vscale(lo, 1 / f->scale), c), hi = vadd(vscale(hi, 1 / f->scale), c);
-    return first_aabb_pad((aabb){lo, hi}, spare);
+    return first_aabb_pad((aabb){frame_back(f, lo), frame_back(f, hi)}, spare);
 }
 
 /* A round shape keeps of its two half boxes those that it touches (10.2). */
@@ -178,7 +177,7 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
     kdtree *t = b->t;
     bool thick = b->how.planar == KD_THICK;
     size_t n = 0;
-    if (all->lo.x <= all->hi.x) t->frame = kd_frame_of(*all);
+    if (all->lo.x <= all->hi.x) t->frame = frame_of(*all, 2, 40);
     if (!memory_room(&t->held, &b->item, 0, t->x.n, &b->item_room, sizeof *b->item)) return false;
     t->box = kd_nothing;
     for (size_t i = 0; i < t->x.n; i++) {

@@ -8,14 +8,13 @@
  *   kd_full(n, child)        child 0 (below) or 1 (above): is there anything in it? So a search
  *                            need not look into empty cells, and they are most of those it passes
  *
- *   kd_frame                 where the tree lives: x' = scale (x - centre), scale a power of two
  *   kd_ray_of(r, &frame, &box, pads, &q)       prepares the ray once; pads: 1, or 0: no delta
  *   limit = kd_ray_limit(&q, t)                t as a float that is not less, in units of q
  *
  * Planes are floats whatever `real` is: each plane is chosen among floats, so it is the very plane
  * that the items were sorted by, not a rounded one. Far from 0 floats are too coarse, and beyond
  * 1e38 there are none; so the tree has coordinates of its own, in which its box is about 1 large
- * and not far from 0. Where it already is, they are those of the scene.
+ * and not far from 0 (frame.h). Where it already is, they are those of the scene.
  *
  * The t of a plane, and why no rounding loses a hit. The plane is passed not at one t but within
  * [t0, t1]: t0 as seen from an origin moved forwards by delta, t1 from one moved back (12.6):
@@ -36,11 +35,11 @@
 #define KDTREE_NODE_H
 
 #include "../../common/numbers/float_round.h"
+#include "../09_aabb/frame.h"
 #include "../09_aabb/items.h"
 
 typedef struct { union { float plane; uint32_t first; }; uint32_t bits; } kd_node;
 typedef struct { float lo[3], hi[3]; } kd_box;
-typedef struct { vec3 centre; real scale; } kd_frame;
 
 /* By axis. second[k]: 1 if the ray meets the upper child first, else 0. */
 typedef struct {
@@ -82,27 +81,6 @@ static inline double kd_area(const kd_box *b)
     return x >= 0 ? x * y + y * z + z * x : 0;
 }
 
-/* Coordinates in which the box is not more than twice its half size away from 0, and, if it is
- * very large or small, about 1 large. x - centre is rounded by half an epsilon of the distance
- * that it measures: nothing to the D above. */
-static inline kd_frame kd_frame_of(aabb all)
-{
-    kd_frame f = {{0, 0, 0}, 1};
-    int e, most = real_is_float ? 60 : 260;
-    vec3 half = vscale(vsub(all.hi, all.lo), 0.5), c = aabb_centre(all);
-    real size = vaxis(half, vlongest(half));
-    if (vlargest(c) > 2 * size) f.centre = c;
-    (void)frexp(size, &e);
-    e = e > most ? most : e < -most ? -most : e;
-    if (e > 40 || e < -40) f.scale = ldexp((real)1, -e);
-    return f;
-}
-
-static inline vec3 kd_place(const kd_frame *f, vec3 p)
-{
-    return vscale(vsub(p, f->centre), f->scale);
-}
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline float kd_ray_limit(const kd_ray *q, real t)
@@ -115,9 +93,9 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
 /* Also the part of the ray in the box, as in 09, with near and far planes seen from two origins.
  * Each comparison keeps its second argument against a NaN. Written where it is used: a copy of what
  * has just been stored number by number would wait for it, 15 ns a ray. */
-fast_inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, int pads, kd_ray *q)
+fast_inline void kd_ray_of(ray r, const aabb_frame *frame, const kd_box *box, int pads, kd_ray *q)
 {
-    vec3 o = kd_place(frame, r.o);
+    vec3 o = frame_into(frame, r.o);
     real reach = 0;
     for (int k = 0; k < 3; k++) {
         reach = real_max(fabs((real)box->lo[k] - vaxis(o, k)), reach);

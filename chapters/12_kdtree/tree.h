@@ -37,7 +37,7 @@ typedef struct {
     size_t nodes, references, items;
     items x;
     const vec3 *v;            /* corners of the mesh */
-    kd_frame frame;
+    aabb_frame frame;
     kd_box box;               /* in the frame; lo > hi if there is nothing */
     int depth;
     memory held;

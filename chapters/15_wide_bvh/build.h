@@ -14,9 +14,8 @@
  *      MEASURED.md: C(s, j) if s takes up to j places in the node above.
  *   4. Nodes and blocks, in the order of the search: depth first.
  *
- * Sources: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007;
- * H. Ylitie, T. Karras, S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
- * Wide BVHs", HPG 2017, section 3.1 (collapse).
+ * Source: H. Ylitie, T. Karras, S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through
+ * Compressed Wide BVHs", HPG 2017, section 3.1 (collapse).
  */
 #ifndef WIDE_BUILD_H
 #define WIDE_BUILD_H
@@ -49,7 +48,7 @@ static inline void bvh8_items_job(size_t piece, void *context)
         if (!items_bounds(&w->x, i, &box)) continue;
         triangle t = w->x.m ? mesh_triangle(w->x.m, i) : (triangle){.a = box.lo};
         if (w->x.m && vzero(triangle_cross(t.a, t.b, t.c))) continue;
-        b->item[i] = box_between(bvh8_into(w, box.lo), bvh8_into(w, box.hi));
+        b->item[i] = box_between(frame_into(&w->frame, box.lo), frame_into(&w->frame, box.hi));
         b->item[i].index = (uint32_t)i;
     }
 }
@@ -143,12 +142,13 @@ static inline void bvh8_fill_job(size_t piece, void *context)
 {
     const bvh8_builder *b = context;
     const bvh8 *w = b->w;
+    const aabb_frame *in = &w->frame;
     for (size_t i = 256 * piece; i < w->blocks && i < 256 * (piece + 1); i++) {
         const bvh_node *leaf = &b->node[b->leaves[i]];
         const bvh_item *item = b->item + leaf->first;
         for (uint32_t k = 0; k < 8; k++) {
             triangle t = mesh_triangle(w->x.m, item[k < leaf->count ? k : 0].index);
-            const vec3 p[3] = {bvh8_into(w, t.a), bvh8_into(w, t.b), bvh8_into(w, t.c)};
+            const vec3 p[3] = {frame_into(in, t.a), frame_into(in, t.b), frame_into(in, t.c)};
             EIGHT_UNROLL
             for (int c = 0; c < 3; c++) {
                 eight *row = w->block[i].corner + 3 * c;
@@ -161,23 +161,15 @@ static inline void bvh8_fill_job(size_t piece, void *context)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Its centre is 0 unless the items lie far from there: then floats stay what they are. Are all
- * corners floats in it? */
-static inline void bvh8_frame(bvh8 *w, aabb all)
+/* Are all corners of a mesh floats in the tree's frame? */
+static inline bool bvh8_is_exact(const bvh8 *w)
 {
-    vec3 centre = aabb_centre(all), half = vsub(all.hi, centre);
-    real size = vaxis(half, vlongest(half)), far = fabs(vaxis(centre, vlongest(centre)));
-    int e, most = real_is_float ? 100 : 1000;
-    if (far <= 8 * size) centre = (vec3){0, 0, 0}, size += far;
-    (void)frexp(size, &e);
-    e = e > most ? most : e < -most ? -most : e;
-    w->centre = centre, w->scale = size > 0 ? ldexp((real)1, -e) : 1;
-    w->exact = w->x.m;
-    for (size_t i = 0; w->exact && i < w->x.m->vertices; i++) {
-        vec3 p = w->x.m->v[i], q = bvh8_into(w, p);
-        q = bvh8_back(w, (float)q.x, (float)q.y, (float)q.z);
-        w->exact = p.x == q.x && p.y == q.y && p.z == q.z;
+    for (size_t i = 0; w->x.m && i < w->x.m->vertices; i++) {
+        vec3 p = w->x.m->v[i], q = frame_into(&w->frame, p);
+        q = frame_back(&w->frame, vec((float)q.x, (float)q.y, (float)q.z));
+        if (p.x != q.x || p.y != q.y || p.z != q.z) return false;
     }
+    return w->x.m;
 }
 
 static inline void *bvh8_room(size_t n, size_t size)
@@ -196,7 +188,7 @@ static inline void bvh8_free(bvh8 *w)
 static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure *f)
 {
     aabb all;
-    *w = (bvh8){.x = *x, .scale = 1, .dialect = how.dialect};
+    *w = (bvh8){.x = *x, .dialect = how.dialect};
     if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8)
         return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8", how.leaf, how.width);
     if (!items_all_bounds(x, &all, f)) return false;
@@ -205,7 +197,7 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
     size_t each = sizeof *b.item + 2 * sizeof *b.node + 2 * sizeof *b.pick;
     if (x->n * (each + 64) > how.most_bytes)
         return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
-    bvh8_frame(w, all);
+    w->frame = frame_of(all, 8, 0), w->exact = bvh8_is_exact(w);
     b.item = bvh8_room(x->n, sizeof *b.item);
     bool whole = parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
     for (size_t i = 0; whole && i < x->n; i++)

@@ -104,7 +104,7 @@ eight_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, rea
 __attribute__((noinline, cold))
 static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
 {
-    vec3 o = bvh8_into(w, q->r->o), d = q->r->d;
+    vec3 o = frame_into(&w->frame, q->r->o), d = q->r->d;
     if (!ray_is_usable(*q->r)) return false;
     real way = real_max(fabs(vaxis(o, vlongest(o))), 1);
     real s = direction_scale(fabs(vaxis(d, vlongest(d)))), t;
@@ -118,12 +118,12 @@ static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
  * was written waits for all that is under way. Sums are NaN or too large where any number is. */
 eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
-    vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
+    vec3 at = frame_into(&w->frame, r->o), d = {r->d.x, r->d.y, r->d.z};
     real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
     real way = real_max(real_max(real_max(x, y), z), 1);
     q->r = r, q->tmax = r->tmax, q->skip = skip, q->best = hit_none;
     q->sheared = false, q->doubts = 0;
-    q->scale = (double)w->scale, q->shift = 0;
+    q->scale = (double)w->frame.scale, q->shift = 0;
     if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20))
         return bvh8_ray_moved(w, q);
     bvh8_ray_from(w, q, at, d, way, way);
@@ -162,23 +162,19 @@ static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
         if (!(d->first <= q->limit)) continue;
         const float *c = (const float *)d->block->corner + d->lane;
         const ray_shear *s = bvh8_shear(q);
-        const uint32_t i = d->block->index[d->lane];
-        const vec3 *pa, *pb, *pc;  /* read where they lie: a copy costs a tenth */
-        vec3 own[3];
-        if (w->exact) {
-            for (int k = 0; k < 3; k++, c += 24) own[k] = bvh8_back(w, c[0], c[8], c[16]);
-            pa = own, pb = own + 1, pc = own + 2;
-        } else {
-            const vec3 *v = w->x.m->v;
-            const uint32_t *of = w->x.m->index + 3 * (size_t)i;
-            pa = v + of[0], pb = v + of[1], pc = v + of[2];
+        const size_t i = d->block->index[d->lane];
+        vec3 p[3], own;  /* corners read where they lie: a copy costs a tenth */
+        EIGHT_UNROLL
+        for (size_t k = 0; k < 3; k++, c += 24) {
+            if (w->exact) own = frame_back(&w->frame, vec(c[0], c[8], c[16]));
+            p[k] = shear_corner(w->exact ? &own : &w->x.m->v[w->x.m->index[3 * i + k]], s);
         }
-        vec3 a = shear_corner(pa, s), b = shear_corner(pb, s), g = shear_corner(pc, s);
+        vec3 a = p[0], b = p[1], g = p[2];
         vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
         hit h;
         bvh8_asked++;
         if (!signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, bvh8_rest(q), &h))
-            bvh8_keep(q, h, i);
+            bvh8_keep(q, h, (uint32_t)i);
     }
     q->doubts = 0;
     return q->best.shape != no_shape;

@@ -3,10 +3,8 @@
  *   bvh8_node     six rows: the low x of eight boxes, their low y, ...; and eight children
  *   bvh8_block    nine rows: x, y, z of eight corners a, of b, of c; and eight triangles
  *
- *   p' = bvh8_into(&w, p)         into the tree's own frame, in which all coordinates are at most 1
- *   p = bvh8_back(&w, x, y, z)    and back. The scale is a power of two, and the centre 0 where
- *                                 that is near: corners that were floats stay floats, w.exact, and
- *                                 then nobody needs the mesh any more
+ * Their coordinates are those of w.frame (09), at most 1. Where all corners are floats in it,
+ * w.exact, nobody needs the mesh any more.
  *
  * A child is the number of a node, or with bvh8_leaf that of a block, or of a shape that is no
  * triangle: these are leaves one by one. An empty place has a box that no ray meets; in a block it
@@ -16,6 +14,7 @@
 #define WIDE_TREE8_H
 
 #include "../../common/numbers/eight.h"
+#include "../09_aabb/frame.h"
 #include "../09_aabb/items.h"
 #include "../14_bvh/tree.h"
 
@@ -35,8 +34,7 @@ typedef struct {
 
 typedef struct {
     items x;
-    vec3 centre;
-    real scale;
+    aabb_frame frame;
     bool exact;           /* blocks hold the very corners */
     eight_dialect dialect;
     bvh8_node *node;      /* [nodes] */
@@ -54,22 +52,12 @@ typedef struct { uint32_t from, first, last; } bvh8_skip;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 bvh8_into(const bvh8 *w, vec3 p)
-{
-    return vscale(vsub(p, w->centre), w->scale);
-}
-
 /* How many items are in leaf i. */
 static inline size_t bvh8_held(const bvh8 *w, uint32_t i)
 {
     size_t n = !w->block;
     for (int k = 0; w->block && k < 8; k++) n += w->block[i].index[k] != no_shape;
     return n;
-}
-
-static inline vec3 bvh8_back(const bvh8 *w, float x, float y, float z)
-{
-    return vadd(vscale((vec3){(real)x, (real)y, (real)z}, 1 / w->scale), w->centre);
 }
 
 #endif

@@ -60,7 +60,7 @@ static inline bool kd_textbook(const kdtree *t, ray r, kd_manner manner, hit *ou
     int top = 0;
     if (t->items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
-    vec3 o = kd_place(&t->frame, r.o), d = vscale(r.d, t->frame.scale);
+    vec3 o = frame_into(&t->frame, r.o), d = vscale(r.d, t->frame.scale);
     for (;;) {
         kd_node n = t->node[p.node];
         while (!kd_is_leaf(n)) {

@@ -31,8 +31,8 @@ static inline mesh lanes_mesh(void)
 
 static inline void lanes_box(figure *g, const bvh8 *w, const bvh8_node *n, int k, bool met)
 {
-    vec3 lo = bvh8_back(w, n->side[0][k], n->side[1][k], 0);
-    vec3 hi = bvh8_back(w, n->side[3][k], n->side[4][k], 0);
+    vec3 lo = frame_back(&w->frame, vec(n->side[0][k], n->side[1][k], 0));
+    vec3 hi = frame_back(&w->frame, vec(n->side[3][k], n->side[4][k], 0));
     double xy[8] = {(double)lo.x, (double)lo.y, (double)hi.x, (double)lo.y,
                     (double)hi.x, (double)hi.y, (double)lo.x, (double)hi.y};
     figure_polygon(g, 4, xy, met ? FIGURE_ORANGE : NULL, 0.18, met ? FIGURE_RED : FIGURE_GREY);
@@ -99,7 +99,7 @@ static inline void draw_lanes(const options *o)
     lanes_cells(&g, 0, "lane", NULL, 0, "#ffffff");
     for (int s = 0; s < 6; s++) {
         eight row = *(const eight *)n->side[s];
-        for (int k = 0; k < 8; k++) row[k] /= (float)w.scale;
+        for (int k = 0; k < 8; k++) row[k] /= (float)w.frame.scale;
         lanes_cells(&g, 1 + s, side[s], &row, 0, s < 3 ? FIGURE_BLUE : FIGURE_GREEN);
     }
     lanes_cells(&g, 8, "_t_~enter~", &enter, met, "#ffffff");
