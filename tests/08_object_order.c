@@ -226,6 +226,15 @@ static void test_clip_in_plane(void)
     check_equal(twice, 0, "corners that are there twice");
 }
 
+/* One step dx of the stored number, as a distance: dz = z^2 / near dx (8.5). */
+static double depth_step(depth_format f, double near_z, double z)
+{
+    double x = near_z / z, of_x = z * z / near_z;
+    float stored = (float)(f == DEPTH_FLOAT ? 1 - x : f == DEPTH_LINEAR ? 1 / x : x);
+    double spacing = (double)(nextafterf(stored, INFINITY) - stored);
+    return f == DEPTH_24 ? of_x / 0xffffff : spacing * (f == DEPTH_LINEAR ? near_z : of_x);
+}
+
 static void test_depths(void)
 {
     random_stream g = random_start(4, 0, 0);

@@ -887,6 +887,11 @@ static void test_invariants(void)
 
 /* ---- normals ---- */
 
+/* Scaled by 1 and s along two axes, n = (cos a, sin a) becomes (cos a, sin a / s), but M n is
+ * (cos a, s sin a). The tangent of the angle between them is (s - 1/s) tan a / (1 + tan^2 a), which
+ * is largest at 45 degrees: (s - 1/s) / 2.                                                (16.5) */
+static real normal_worst_angle(real s) { return atan(fabs(s - 1 / s) / 2); }
+
 /* The ellipsoid (x/a)^2 + (y/b)^2 + (z/c)^2 = 1 is a sphere scaled; its normal is the gradient. */
 static void test_normals(void)
 {

@@ -2,6 +2,7 @@
  * forms fail. */
 #include "../chapters/07_mesh/inside.h"
 #include "../chapters/20_monte_carlo/sampler.h"
+#include "../chapters/22_radiometry/lab/naive.h"
 #include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/solid_angle.h"
 #include "22_inputs.h"

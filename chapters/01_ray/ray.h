@@ -9,7 +9,7 @@
  *
  *   ray r = ray_between(a, b);           from a to b, d = b - a, interval [0, 1]
  *   ray r = ray_from(o, d);              everything in front of o, interval [0, infinity]
- *   vec3 p = ray_at(r, t);               the point; ray_at_fused: the same, rounded once
+ *   vec3 p = ray_at(r, t);               the point
  *   vec3 p = ray_at_between(a, b, t);    (1 - t) a + t b: exact at both ends, poor far beyond
  *   if (ray_covers(r, t)) ...            the closed interval; a NaN is never in it
  *   ray u = ray_unit(r);                 the same points, d of length 1, t and interval times |d|
@@ -41,13 +41,6 @@
  *   ray_covers      (1.4), with >= and <=, so that a NaN t is outside */
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* p(t) = o + t d with one rounding instead of two: off by half an epsilon |p|. One instruction a
- * component on a machine with a fused multiply-add; a call of libm, and slow, on others. */
-static inline vec3 ray_at_fused(ray r, real t)
-{
-    return (vec3){fma(t, r.d.x, r.o.x), fma(t, r.d.y, r.o.y), fma(t, r.d.z, r.o.z)};
-}
 
 /* The same points and the same interval with a unit d: t becomes t |d|, a distance (1.3). */
 static inline ray ray_unit(ray r)

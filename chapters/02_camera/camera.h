@@ -98,11 +98,9 @@ static inline bool camera_off_axis(camera_frame f, camera_window n, real d, came
     return true;
 }
 
-/* tan(phi / 2), phi in degrees (0, 180). At phi = 179.99 in float, the naive form is off by 1e-3:
- * it rounds an angle close to a right angle, whose tangent depends on what is missing to it. There
- * 180 - phi is exact. */
-static inline real half_tangent_naive(real phi) { return tan(phi * pi / 360); }
-
+/* tan(phi / 2), phi in degrees (0, 180). At phi = 179.99 in float, tan(phi pi / 360) is off by
+ * 1e-3: it rounds an angle close to a right angle, whose tangent depends on what is missing to it.
+ * There 180 - phi is exact. */
 static inline real half_tangent(real phi)
 {
     return phi <= 90 ? tan(phi * pi / 360) : 1 / tan((180 - phi) * pi / 360);
@@ -155,17 +153,6 @@ static inline real camera_v(camera c, real y, int ny)
 static inline vec3 camera_in_plane(camera c, real u, real v)
 {
     return vmadd(vscale(c.u, u), c.v, v);
-}
-
-/* |e| = 1e6, d = 0.035, in float: the floats near e are 1/16 apart, so s = e + D lands on a lattice
- * coarser than the whole image plane, and s - e has the errors of s: epsilon |e| / d in direction.
- * FCG introduces the ray in this way, as e + t (s - e), and then computes it as camera_ray does. */
-static inline ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
-{
-    vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));
-    if (c.kind == CAMERA_PARALLEL) return ray_from(vadd(c.e, in_plane), c.direction);
-    vec3 s = vadd(c.e, vmadd(in_plane, c.w, -c.d));
-    return ray_from(c.e, vsub(s, c.e));
 }
 
 /* d never meets e: wherever the camera stands, d is off by a few epsilon of the window's size,

@@ -13,9 +13,7 @@
  * filter_box, filter_tent, filter_gaussian: the three above. w is not normalised; it is 0 outside
  * [-radius, radius]. Rays may be spread over that square in any way that is even (see samples.h).
  *
- *   call                        cannot do                             so
- *   filter_mean(s)              no weight at all                      black
- *   filter_mean_naive(s, f, n)  its divisor is right only on average  a white wall is not white
+ * Without any weight the pixel is black.
  *
  * Sources: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, online chapter 26,
  * section 26.1 (weighted mean of several rays); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
@@ -57,29 +55,13 @@ static inline real filter_weight(filter f, real x, real y)
     return filter_weight_1d(f, x) * filter_weight_1d(f, y);
 }
 
-/* The integral of filter_weight over the plane: 1, radius^2, or about 2 pi sigma^2. */
-static inline real filter_volume(filter f)
-{
-    real side = f.kind == FILTER_BOX ? 2 * f.radius
-              : f.kind == FILTER_TENT ? f.radius
-              : f.sigma * sqrt(2 * pi) * erf(f.radius / (f.sigma * sqrt((real)2)));
-    return side * side;
-}
-
 static inline filter_sum filter_add(filter_sum s, real w, vec3 colour)
 {
     return (filter_sum){vmadd(s.colour, colour, w), s.weight + w};
 }
 
-/* n positions that cover the square of area (2 radius)^2 evenly have weights that sum to about
- * n volume / area, and this divides by that number. It is right on average, but not for the n rays
- * at hand: four jittered rays under a tent may see a wall of brightness 1 as .5 or as 1.5. */
-static inline vec3 filter_mean_naive(filter_sum s, filter f, int n)
-{
-    return vscale(s.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
-}
-
-/* Divides by the sum of these very weights: a wall of one colour keeps it within rounding. */
+/* Divides by the sum of these very weights: a wall of one colour keeps it within rounding. (By what
+ * they sum to on average, four jittered rays under a tent may see a wall of 1 as .5 or as 1.5.) */
 static inline vec3 filter_mean(filter_sum s)
 {
     return s.weight > 0 ? vscale(s.colour, 1 / s.weight) : (vec3){0, 0, 0};

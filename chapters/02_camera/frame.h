@@ -33,8 +33,6 @@ typedef struct { vec3 e, u, v, w; } camera_frame;
 /* Misuse: exit code 2. False, written so that the compiler sees it. */
 #define camera_refused(why, ...) (failed(why, 2, __VA_ARGS__), false)
 
-static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* What any look-at must refuse. `back` is e - target. */

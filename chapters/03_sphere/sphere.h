@@ -39,11 +39,6 @@
 #include "first.h"
 #include <stddef.h>
 
-static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1);
-static inline bool sphere_hit(sphere s, ray r, hit *out);
-static inline vec3 sphere_point(sphere s, vec3 p);
-static inline vec3 sphere_normal(sphere s, vec3 p);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The first of the two roots that the interval covers. A root beyond the largest real is no hit. */

@@ -9,7 +9,6 @@
  *
  *   cone c = {a, ra, b, rb};
  *   bool cone_hit(c, r, &h)       first hit of the ray; h.u = u, h.v = 0
- *   bool cone_hit_naive(c, r, &h) the textbook: fails at a distance and beside the axis
  *   vec3 cone_normal(c, p)        unit normal at a point p of the side, pointing from the axis;
  *                                 at the tip of a cone: along the axis, away from the cone
  *   vec3 cone_point(c, p)         p moved at right angles to the axis on to the side
@@ -64,23 +63,6 @@ static inline bool cone_first(ray r, const real t[2], const real z[2], real top,
             return true;
         }
     return false;
-}
-
-/* (7.5) squared, with p = o + t d and the unit axis n: alpha t^2 + 2 beta t + gamma = 0, solved
- * as it stands. Fails: a radius of 1 seen from 1e4 in float (b^2 and a c agree in all their
- * digits), from 1e8 in double; d parallel to the axis or to the side, where alpha is nearly 0 and
- * both roots are lost. */
-static inline bool cone_hit_naive(cone c, ray r, hit *out)
-{
-    vec3 w = vsub(c.b, c.a), n = vunit(w), q = vsub(r.o, c.a);
-    real h = vlength(w), m = (c.rb - c.ra) / h, z = vdot(q, n), g = vdot(r.d, n), rz = c.ra + m * z;
-    real alpha = vdot(r.d, r.d) - (1 + m * m) * g * g;
-    real beta = vdot(r.d, q) - g * z - m * g * rz;
-    real gamma = vdot(q, q) - z * z - rz * rz;
-    real s = sqrt(beta * beta - alpha * gamma);  /* NaN: no root, and NaN is never in an interval */
-    real t0 = (-beta - s) / alpha, t1 = (-beta + s) / alpha;
-    real t[2] = {real_min(t0, t1), real_max(t0, t1)};
-    return cone_first(r, t, (real[2]){z + t[0] * g, z + t[1] * g}, h, out);
 }
 
 /* The t of the ray's point that is nearest to the axis between the planes of the two ends. Any t

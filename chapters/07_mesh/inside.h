@@ -1,4 +1,4 @@
-/* inside.h: does a point lie inside a mesh? Four answers, and what each of them needs.
+/* inside.h: does a point lie inside a mesh? Three answers, and what each of them needs.
  *
  *        ______           parity (奇偶性): a way out of a closed mesh crosses it an odd number of
  *       /  p---\-----> 1  times, a way from outside an even number. True of the crossings of the
@@ -7,15 +7,12 @@
  *
  *   bool first_mesh_inside(&soup, p, d) counts hits of the ray p + t d, of first.h: wrong on edges
  *                                       and vertices, where none or several triangles are hit
- *   bool inside_parity_naive(&m, p, d)  the same by the watertight test: there several are hit
  *   bool inside_parity(&m, p, d)        counts crossings, one for each, edges and vertices included
- *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], k directions
  *   bool inside_winding(&m, p)          |winding number| > 1/2: no ray at all
  *   double winding_number(&m, p)        环绕数: how often the mesh surrounds p: 1 inside, 0 outside
  *
  *   needs           closed mesh    orientation of triangles    time for n triangles
  *   parity          yes            any                         n tests
- *   vote            nearly         any                         k n tests
  *   winding number  no             the same everywhere         3 n square roots
  *
  * On the surface itself, and closer to it than rounding can tell, any answer may come. Each is
@@ -33,18 +30,6 @@
 #include "closest.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Wrong: an octahedron and a ray from its middle to a vertex. Four triangles meet there, the
- * watertight test rightly reports all four, and four is even. */
-static inline bool inside_parity_naive(const mesh *m, vec3 p, vec3 d)
-{
-    ray r = ray_from(p, d);
-    ray_shear k = shear_of(r);
-    hit h;
-    size_t hits = 0;
-    for (size_t i = 0; i < m->triangles; i++) hits += mesh_triangle_hit(m, i, &k, r, &h);
-    return hits % 2 == 1;
-}
 
 /* Half open, so that each crossing belongs to one triangle: (7.9), and an edge through the ray
  * itself counts as passing on the side of negative x, for both its triangles. */
@@ -73,22 +58,6 @@ static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
         odd ^= (ea * a.z + eb * b.z + ec * c.z) / (ea + eb + ec) * s.sz > 0;  /* t > 0 */
     }
     return odd;
-}
-
-/* Direction i of k, spread over the sphere along a spiral, turned so that none lies along an
- * axis, where the edges of made-up meshes like to lie. */
-static inline vec3 inside_direction(int i, int k)
-{
-    real z = 1 - (2 * (real)i + (real)0.8124) / (real)k, a = (real)i * (real)2.39996 + (real)0.6180;
-    real r = sqrt(real_max(1 - z * z, 0));
-    return (vec3){r * cos(a), r * sin(a), z};
-}
-
-static inline bool inside_vote(const mesh *m, vec3 p, int k)
-{
-    int inside = 0;
-    for (int i = 0; i < k; i++) inside += inside_parity_naive(m, p, inside_direction(i, k));
-    return 2 * inside > k;
 }
 
 /* Signed solid angle Omega of a triangle seen from the origin: half of it is the angle of x + i y,

@@ -55,15 +55,9 @@ typedef struct {
 
 static inline void mesh_free(mesh *m)
 {
-    free(m->v);
-    free(m->index);
-    free(m->n);
-    free(m->normal_index);
-    free(m->t);
-    free(m->texture_index);
-    free(m->run);
-    free(m->names);
-    free(m->libraries);
+    void *held[] = {m->v, m->index, m->n, m->normal_index, m->t, m->texture_index, m->run, m->names,
+                    m->libraries};
+    for (size_t i = 0; i < sizeof held / sizeof *held; i++) free(held[i]);
     *m = (mesh){0};
 }
 

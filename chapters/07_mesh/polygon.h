@@ -6,7 +6,6 @@
  *          3 --4   |     polygon p = polygon_of(corners, count);  O(count), corners are not copied
  *         /        |     bool polygon_hit(p, r, &h)               O(count); h.u = h.v = 0
  *        6---------0     bool polygon_hit_sheared(p, &s, r, &h)   the same, the ray prepared once
- *                        bool polygon_hit_naive(p, r, &h)         the textbook: slips at edges
  *                        vec3 polygon_normal(p)                   unit n, or 0 for no area
  *
  * Seen along the ray the polygon is flat and the ray is the origin (0,0) of that picture (4.9).
@@ -79,27 +78,6 @@ static inline vec3 polygon_normal(polygon p) { return p.normal; }
 
 /* All corners are within 2 epsilon of its size of the plane: as near as rounding leaves them. */
 static inline bool polygon_is_flat(const polygon *p) { return p->trust <= (float)1 / 16; }
-
-/* Point on the plane first, then the two coordinates that n is longest in left out, then the same
- * walk. Slips: the neighbour across an edge computes its own point, and may leave out another
- * coordinate. In the crossing test one divides by y_j - y_i, which is not 0 as one end is above
- * and one is not. */
-static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
-{
-    real t = vdot(p.normal, vsub(p.centre, r.o)) / vdot(p.normal, r.d);
-    if (!ray_covers(r, t)) return false;
-    vec3 at = ray_at(r, t);
-    int k = vlongest(p.normal), a = k == 2 ? 0 : k + 1, b = a == 2 ? 0 : a + 1;
-    real x = vaxis(at, a), y = vaxis(at, b);
-    bool inside = false;
-    for (uint32_t i = 0, j = p.n - 1; i < p.n; j = i++) {
-        real xi = vaxis(p.v[i], a), yi = vaxis(p.v[i], b), xj = vaxis(p.v[j], a),
-             yj = vaxis(p.v[j], b);
-        if ((yi > y) != (yj > y) && x < (xj - xi) * (y - yi) / (yj - yi) + xi) inside = !inside;
-    }
-    if (inside) *out = (hit){t, 0, 0, 0};
-    return inside;
-}
 
 /* How edge a b lies to the origin, in the picture along the ray. */
 typedef enum { EDGE_AWAY, EDGE_CROSSES, EDGE_TOUCHES } edge_side;

@@ -10,8 +10,6 @@
  *   DEPTH_LINEAR     z / near in float         needs a division a pixel
  *
  *   uint32_t k = depth_key(format, near * 1/z)     the smaller the nearer, whatever the format
- *   double s = depth_step(format, near, z)         how far behind z something must be to be told
- *                                                  apart, by the format's spacing (8.5)
  *
  * Floats are dense near 0, and there near / z crowds what is far. Sources: E. Lapidous, G. Jiao,
  * "Optimal Depth Buffer for Low-Cost Graphics Hardware", Graphics Hardware 1999; N. Reed, "Depth
@@ -50,15 +48,6 @@ static inline uint32_t depth_key(depth_format f, real x)
     case DEPTH_LINEAR: return depth_bits((float)(1 / x));
     default: return depth_farthest - 1 - depth_bits((float)real_max(x, 0));
     }
-}
-
-/* One step dx of the stored number, as a distance: dz = z^2 / near dx (8.5). */
-static inline double depth_step(depth_format f, double near_z, double z)
-{
-    double x = near_z / z, of_x = z * z / near_z;
-    float stored = (float)(f == DEPTH_FLOAT ? 1 - x : f == DEPTH_LINEAR ? 1 / x : x);
-    double spacing = (double)(nextafterf(stored, INFINITY) - stored);
-    return f == DEPTH_24 ? of_x / 0xffffff : spacing * (f == DEPTH_LINEAR ? near_z : of_x);
 }
 
 #endif

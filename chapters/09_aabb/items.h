@@ -3,6 +3,7 @@
  *   items x = items_of_mesh(&m);        the triangles of a mesh, or
  *   items x = items_of_scene(&s);       the shapes of a scene (07); either must outlive x
  *   bool items_bounds(&x, i, &box)      false: item i can never be hit; leave it out
+ *   bool items_triangle(&x, i, &t)      false: item i is another shape
  *   bool items_all_bounds(&x, &all, &f) around all that can be hit; false: too large, see below
  *   bool items_hit(&x, r, &h)           brute force: the answer that every structure must give
  *   bool items_occluded(&x, r)
@@ -23,6 +24,14 @@ typedef struct { const mesh *m; const scene *s; size_t n; } items;  /* m or s; t
 
 static inline items items_of_mesh(const mesh *m) { return (items){m, NULL, m->triangles}; }
 static inline items items_of_scene(const scene *s) { return (items){NULL, s, s->n}; }
+
+static inline bool items_triangle(const items *x, size_t i, triangle *out)
+{
+    if (x->m) *out = mesh_triangle(x->m, i);
+    else if (x->s->shapes[i].kind == SHAPE_TRIANGLE) *out = x->s->shapes[i].triangle;
+    else return false;
+    return true;
+}
 
 static inline bool items_bounds(const items *x, size_t i, aabb *out)
 {

@@ -101,8 +101,8 @@ static inline bool overlap_plan_of(const items *x, size_t i, overlap_plan *p)
 {
     p->axes = 0, p->is_sphere = false;
     if (!items_bounds(x, i, &p->box)) return false;
-    if (x->m) {
-        triangle t = mesh_triangle(x->m, i);
+    triangle t;
+    if (items_triangle(x, i, &t)) {
         const vec3 v[3] = {t.a, t.b, t.c};
         overlap_add_polygon(p, vcross(vsub(t.b, t.a), vsub(t.c, t.a)), v, 3);
         return true;
@@ -114,12 +114,7 @@ static inline bool overlap_plan_of(const items *x, size_t i, overlap_plan *p)
     case SHAPE_POLYGON:
         overlap_add_polygon(p, s->polygon.normal, s->polygon.v, s->polygon.n);
         break;
-    case SHAPE_TRIANGLE: {
-        triangle t = s->triangle;
-        const vec3 v[3] = {t.a, t.b, t.c};
-        overlap_add_polygon(p, vcross(vsub(t.b, t.a), vsub(t.c, t.a)), v, 3);
-        break;
-    }
+    case SHAPE_TRIANGLE:
     case SHAPE_OTHER: break;  /* its box is all that is known */
     }
     return true;

@@ -60,10 +60,6 @@ typedef struct {
     memory held;
 } octree;
 
-static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f);
-static inline structure_stats octree_stats(const octree *t);
-static inline void octree_free(octree *t);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Corner of a cell in units of its own side: (11.1). */
@@ -179,6 +175,12 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     return true;
 }
 
+static inline void octree_free(octree *t)
+{
+    free(t->node), free(t->reference);
+    *t = (octree){0};
+}
+
 static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f)
 {
     octree t = {.x = *x, .how = how, .held = {.most = how.most_bytes}};
@@ -229,12 +231,6 @@ static inline structure_stats octree_stats(const octree *t)
         s.empty += leaf && (kind & ~octree_is_leaf) == 0;
     }
     return s;
-}
-
-static inline void octree_free(octree *t)
-{
-    free(t->node), free(t->reference);
-    *t = (octree){0};
 }
 
 #endif

@@ -6,13 +6,9 @@
  *   | 0  +-+--+     A cell is a leaf (叶节点) if it holds at most how.leaf items, if it is how.depth
  *   +----+-+--+     cuts deep, or if cutting does not help: see build.h.
  *
- *   octree_options how = octree_defaults;
- *   bool octree_build(&x, how, &t, &f)        false: more than how.most_bytes, or too large
- *   bool octree_hit(&t, r, &h)                the very hit of brute force: t, u, v, shape
- *   bool octree_occluded(&t, r)
- *   bool octree_hit_counted(&t, r, &h, &w), octree_occluded_counted(&t, r, &w)
- *   structure_stats octree_stats(&t)
- *   void octree_free(&t)                      a zeroed one may be freed
+ *   octree t;
+ *   bool octree_build(&x, octree_defaults, &t, &f)   false: more than most_bytes, or too large
+ *   bool octree_hit(&t, r, &h), ..                   the verbs of structure.h (09)
  *
  * The mesh or the scene of x must outlive the tree. How the search goes: walk.h.
  * In the plane it is a quadtree (四叉树): quadtree.h draws one.
@@ -34,12 +30,5 @@ fast_inline bool octree_search(const octree *t, ray r, bool any, hit *out, searc
 }
 
 STRUCTURE_VERBS(octree)
-
-/* Naive: nothing in advance for rounding. A ray in a wall between two cells is told to be in one of
- * them, and the item that it hits may have been found to be in the other. */
-static inline bool octree_hit_unpadded(const octree *t, ray r, hit *out)
-{
-    return octree_walk(t, r, false, 0, out, NULL, NULL);
-}
 
 #endif

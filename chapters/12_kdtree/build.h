@@ -31,31 +31,6 @@ static inline void kd_corner(const kd_builder *b, vec3 p, double out[3])
     out[0] = (double)q.x, out[1] = (double)q.y, out[2] = (double)q.z;
 }
 
-static inline void kd_cut_triangle(const kd_builder *b, const triangle *tri, const kd_box *now,
-                                   int axis, float at, kd_box *below, kd_box *above)
-{
-    double corner[3][3];
-    kd_corner(b, tri->a, corner[0]), kd_corner(b, tri->b, corner[1]);
-    kd_corner(b, tri->c, corner[2]);
-    kd_polygon g = kd_polygon_in(corner, now);
-    if (g.n == 0) return;  /* thinner than its own rounding: the cut boxes */
-    kd_cut c = kd_cut_begin(axis, at);
-    for (int i = 0; i < g.n; i++) kd_cut_edge(&c, g.p[i], g.p[i + 1 < g.n ? i + 1 : 0]);
-    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
-}
-
-static inline void kd_cut_polygon(const kd_builder *b, const polygon *p, int axis, float at,
-                                  kd_box *below, kd_box *above)
-{
-    kd_cut c = kd_cut_begin(axis, at);
-    double one[3], two[3];
-    for (uint32_t i = 0; i < p->n; i++) {
-        kd_corner(b, p->v[i], one), kd_corner(b, p->v[i + 1 < p->n ? i + 1 : 0], two);
-        kd_cut_edge(&c, one, two);
-    }
-    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
-}
-
 /* A box of the tree as one of the scene, a little larger where coordinates were moved. */
 static inline aabb kd_in_scene(const aabb_frame *f, const kd_box *b)
 {
@@ -74,21 +49,34 @@ static inline void kd_cut_round(const kd_builder *b, uint32_t i, kd_box *below, 
     if (!overlap_box(&p, kd_in_scene(&b->t->frame, above))) *above = kd_nothing;
 }
 
-/* The boxes of an item's two parts. A polygon is cut by the plane alone. */
+/* The boxes of an item's two parts (12.3). A polygon is cut by the plane alone; a triangle that is
+ * thinner in its box than its own rounding keeps the cut boxes. */
 static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, float at,
                                kd_box *below, kd_box *above)
 {
     const items *x = &b->t->x;
+    kd_cut c = kd_cut_begin(axis, at);
+    double p[3][3];
+    triangle t;
     *below = *above = i->box;
     below->hi[axis] = above->lo[axis] = at;
     if (!b->how.clip) return;
-    const shape *s = x->m ? NULL : &x->s->shapes[i->index];
-    if (!s || s->kind == SHAPE_TRIANGLE) {
-        triangle tri = s ? s->triangle : mesh_triangle(x->m, i->index);
-        kd_cut_triangle(b, &tri, &i->box, axis, at, below, above);
-    } else if (s->kind == SHAPE_POLYGON)
-        kd_cut_polygon(b, &s->polygon, axis, at, below, above);
-    else kd_cut_round(b, i->index, below, above);
+    if (items_triangle(x, i->index, &t)) {
+        kd_corner(b, t.a, p[0]), kd_corner(b, t.b, p[1]), kd_corner(b, t.c, p[2]);
+        kd_polygon g = kd_polygon_in(p, &i->box);
+        if (g.n == 0) return;
+        for (int k = 0; k < g.n; k++) kd_cut_edge(&c, g.p[k], g.p[k + 1 < g.n ? k + 1 : 0]);
+    } else if (x->s->shapes[i->index].kind == SHAPE_POLYGON) {
+        const polygon *g = &x->s->shapes[i->index].polygon;
+        for (uint32_t k = 0; k < g->n; k++) {
+            kd_corner(b, g->v[k], p[0]), kd_corner(b, g->v[k + 1 < g->n ? k + 1 : 0], p[1]);
+            kd_cut_edge(&c, p[0], p[1]);
+        }
+    } else {
+        kd_cut_round(b, i->index, below, above);
+        return;
+    }
+    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
 }
 
 static inline bool kd_is_empty(const kd_box *b)
@@ -226,23 +214,21 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
 {
     kdtree *t = b->t;
     memory *m = &t->held;
-    size_t r0 = 0, r1 = 0, r2 = 0;
+    size_t room = 0;
     if (!kd_gather(b, all)) return false;
     size_t n = t->items;
     if (b->how.strategy != KD_SAH && b->how.leaf == 0) b->how.leaf = 4;
     if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
-    bool done = memory_fit(m, &b->split.begin, 0, n + 1, &r0, sizeof(uint32_t))
-                && memory_fit(m, &b->split.end, 0, n + 1, &r1, sizeof(uint32_t))
-                && memory_fit(m, &b->split.spare, 0, n + 1, &r2, sizeof(uint32_t))
+    bool done = memory_fit(m, &b->split.begin, 0, 3 * n + 3, &room, sizeof(uint32_t))
                 && memory_fit(m, &t->node, 0, 2, &b->node_room, sizeof *t->node);
     if (done) {
+        b->split.end = b->split.begin + n + 1, b->split.spare = b->split.end + n + 1;
         t->nodes = 2;
         t->node[0] = t->node[1] = kd_leaf_node(0, 0);
         done = kd_cell(b, 0, 0, n, &t->box, 0, 0, structure_room(n));
     }
     memory_drop(m, b->item, b->item_room, sizeof *b->item);
-    memory_drop(m, b->split.begin, r0, 4), memory_drop(m, b->split.end, r1, 4);
-    memory_drop(m, b->split.spare, r2, 4);
+    memory_drop(m, b->split.begin, room, 4);
     done = done && kd_finish(b);
     memory_drop(m, b->index, b->index_room, 4);
     return done;

@@ -12,13 +12,7 @@
  * Cells do not overlap, so a ray passes them in order, and its search can end at the first hit. The
  * price: an item that a plane cuts is in both parts.
  *
- *   how.strategy        KD_MIDDLE, KD_MEDIAN, KD_SAH: split.h
- *   how.leaf            most items in a leaf; 0: where no cut pays (KD_SAH only; else 4): build.h
- *   how.depth           of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n                      (12.2)
- *   how.traversal_cost, item_cost, empty_bonus     of the heuristic (12.1)
- *   how.clip            the box of a cut triangle is that of its part: clip.h
- *   how.planar          what lies in a plane: tree.h
- *   how.most_bytes      of memory while it is built; more: kdtree_build returns false
+ * How: kdtree_options in tree.h.
  *
  * The items must outlive the tree. Total: 8 bytes a node, 16 a reference to a triangle (its corners
  * and number, in the order of the leaves), 4 a reference to a shape. A search needs no memory but

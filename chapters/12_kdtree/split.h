@@ -48,7 +48,7 @@ enum { kd_bins = 128, kd_bins_from = 512 };
 typedef struct {
     kdtree_strategy strategy;
     double traversal_cost, item_cost, empty_bonus;
-    uint32_t *begin, *end, *spare;  /* room for n numbers each */
+    uint32_t *begin, *end, *spare;  /* room for n numbers each, in one block */
 } kd_splitter;
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -1,6 +1,6 @@
 /* tree.h: what a k-d tree consists of, and how it is to be built.
  *
- *   kdtree_options         the builder's orders: see kdtree.h for what each is
+ *   kdtree_options         the builder's orders
  *   kdtree                 nodes, and the records of the leaves one after another
  *
  * Every byte is counted (09: memory), so that t.held.peak is the most ever held and most_bytes is
@@ -19,12 +19,13 @@ enum { kdtree_most_depth = 64, kd_most_doubled = 3 };
 typedef enum { KD_THICK, KD_BOTH, KD_ONE } kdtree_planar;
 
 typedef struct {
-    kdtree_strategy strategy;
-    int leaf, depth;          /* most items in a leaf, 0: by cost; deepest leaf, 0: (12.2) */
+    kdtree_strategy strategy; /* KD_MIDDLE, KD_MEDIAN, KD_SAH: split.h */
+    int leaf;                 /* most items in one; 0: where no cut pays (KD_SAH only; else 4) */
+    int depth;                /* of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n            (12.2) */
     double traversal_cost, item_cost, empty_bonus;  /* (12.1) */
     bool clip;                /* boxes of parts are those of the part (12.3), not cut boxes */
     kdtree_planar planar;
-    size_t most_bytes;        /* while it is built */
+    size_t most_bytes;        /* while it is built; more: kdtree_build returns false */
 } kdtree_options;
 
 /* 16 bytes for a triangle in a leaf: its corners and its number. */

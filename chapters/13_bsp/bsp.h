@@ -3,10 +3,7 @@
  *
  *   bsp b;
  *   bool bsp_build(&x, bsp_defaults, &b, &f)     its mesh or scene must outlive the tree
- *   bool bsp_hit(&b, r, &h)                      the very hit (t, u, v, shape) of items_hit
- *   bool bsp_occluded(&b, r)
- *   bsp_hit_counted(&b, r, &h, &work), bsp_occluded_counted(&b, r, &work)
- *   bsp_stats(&b);  bsp_free(&b);                a zeroed one may be freed
+ *   bool bsp_hit(&b, r, &h), ..                  the verbs of structure.h (09)
  *   bsp_hit_naive(&b, r, &h)                     planes without padding: loses hits
  *   bsp_hit_first(&b, r, &h)                     the first leaf's hit as final: wrong hits
  *

@@ -66,25 +66,15 @@ static inline size_t workshop_bytes(const workshop *w)
     return w->corner_room * sizeof *w->corner + w->fragment_room * sizeof *w->f;
 }
 
-static inline bool item_is_triangle(const items *x, uint32_t i)
-{
-    return x->m || x->s->shapes[i].kind == SHAPE_TRIANGLE;
-}
-
-static inline triangle item_triangle(const items *x, uint32_t i)
-{
-    return x->m ? mesh_triangle(x->m, i) : x->s->shapes[i].triangle;
-}
-
 static inline bool fragment_of(workshop *w, uint32_t i, fragment *out)
 {
     aabb b;
+    triangle t;
     if (!items_bounds(w->x, i, &b)) return false;
     workshop_reserve(w, 3);
     vec3 *q = w->corner + w->corners;
     *out = (fragment){i, (uint32_t)w->corners, 0, false};
-    if (item_is_triangle(w->x, i)) {
-        triangle t = item_triangle(w->x, i);
+    if (items_triangle(w->x, i, &t)) {
         q[0] = workshop_place(w, t.a), q[1] = workshop_place(w, t.b), q[2] = workshop_place(w, t.c);
         out->corners = 3;
     } else {
@@ -188,8 +178,8 @@ static inline void fragment_half(workshop *w, const split_plane *p, real sign, f
 /* Of the whole triangle, not of what is left of it: a small fragment has a poor plane. */
 static inline bool fragment_plane(const workshop *w, const fragment *f, int edge, split_plane *out)
 {
-    if (!f->corners) return false;
-    triangle t = item_triangle(w->x, f->item);
+    triangle t;
+    if (!items_triangle(w->x, f->item, &t)) return false;
     vec3 q[3] = {workshop_place(w, t.a), workshop_place(w, t.b), workshop_place(w, t.c)};
     *out = plane_of_triangle(q[0], q[1], q[2]);
     if (edge < 3 && !vzero(out->n)) *out = plane_of_edge(q[edge], q[(edge + 1) % 3], out->n);

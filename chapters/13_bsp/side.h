@@ -60,14 +60,6 @@ static inline split_plane plane_of_axis(int axis, real at)
     return (split_plane){{axis == 0, axis == 1, axis == 2}, at, axis};
 }
 
-/* A needle 1 long and 1e-7 wide: plain products are off by eps, n by eps / 1e-7, and the corners
- * lie up to 1e-7 off their own plane. */
-static inline split_plane plane_of_triangle_naive(vec3 a, vec3 b, vec3 c)
-{
-    vec3 n = vunit(vcross(vsub(b, a), vsub(c, a)));
-    return (split_plane){n, vdot(n, a), 3};
-}
-
 /* Corners within 6 eps size, whatever the shape: an edge that is off by eps / 2 of its length turns
  * n, but about the other edge, and by no more than moves a corner so far. */
 static inline split_plane plane_of_triangle(vec3 a, vec3 b, vec3 c)

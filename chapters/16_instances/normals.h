@@ -8,8 +8,8 @@
  *
  *   vec3 normal_to_world(&to_object, n)     (16.4): the inverse transposed (逆转置), unit
  *   vec3 normal_naive(&to_world, n)         M n, made unit: right only for rotations, mirrors, and
- *                                           scalings alike along all axes
- *   real normal_worst_angle(ratio)          how far off that can be, in radians          (16.5)
+ *                                           scalings alike along all axes; scaled by s along one it
+ *                                           is off by atan((s - 1/s) / 2) at most          (16.5)
  *
  * The columns of A are at hand, so A^T n is three dot products, and nothing need be inverted again.
  *
@@ -40,10 +40,5 @@ static inline vec3 normal_naive(const affine *to_world, vec3 n)
 {
     return vunit(affine_vector(*to_world, n));
 }
-
-/* Scaled by 1 and s along two axes, n = (cos a, sin a) becomes (cos a, sin a / s), but M n is
- * (cos a, s sin a). The tangent of the angle between them is (s - 1/s) tan a / (1 + tan^2 a), which
- * is largest at 45 degrees: (s - 1/s) / 2. */
-static inline real normal_worst_angle(real s) { return atan(fabs(s - 1 / s) / 2); }
 
 #endif

@@ -9,7 +9,6 @@
  *
  *   polygon_irradiance(v, count, p, n)         E / L [sr]: times L [W/(m^2 sr)] it is the
  *                                              irradiance [W/m^2]; count <= polygon_most, else NaN
- *   polygon_irradiance_naive(v, count, p, n)   (22.15) with acos, and without a cut
  *   rectangle_irradiance(r, p, n)              of its front, where r.s x r.t points
  *
  * The corners v lie in a plane and run around a convex polygon, counterclockwise as seen from its
@@ -50,16 +49,6 @@ typedef struct { vec3 v[2 * polygon_most], e[2 * polygon_most]; int count; } see
 typedef struct { vec3 a, s, t; real volume; } seen_triangle;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline real polygon_irradiance_naive(const vec3 *v, int count, vec3 p, vec3 n)
-{
-    real sum = 0;
-    for (int i = 0; i < count; i++) {
-        vec3 a = vunit(vsub(v[i], p)), b = vunit(vsub(v[(i + 1) % count], p));
-        sum += acos(vdot(a, b)) * vdot(n, vunit(vcross(a, b)));
-    }
-    return -sum / 2;
-}
 
 static inline seen_polygon polygon_seen(const vec3 *v, int count, vec3 p)
 {

@@ -15,21 +15,18 @@
  * to 4 pi inside; negative in front. In the plane of the triangle: 0 outside, 2 pi within, 0 on
  * edges.
  *
- *   variant                       loses                                             so
- *   first_cap_solid_angle         2 pi (1 - cos): all digits of a small cap         0 below 1e-8
- *   first_sphere_solid_angle      the same, far away; and near the touching sphere  0 at 1e8 radii
- *   triangle_solid_angle_girard   sum of angles - pi: all digits of a small one     noise, or < 0
- *   the same formula as here, in chapter 07, as it stands: those of one seen edge-on, or from near
- *   to an edge
+ * First.h's 1 - cos loses all digits of a small cap, and of a sphere far away or near to touching;
+ * the formula as it stands in chapter 07 those of a triangle seen edge-on, or from near to an edge;
+ * a sum of angles less pi (Girard, lab/naive.h) all of a small one.
  *
- * Those without a suffix are right to 16 epsilon, relatively, for every p and nearly every triangle
- * (as the reals given describe it): the worst that a search for such triangles met is off by 39.
- * They compute fast what is clear, and again in twice the precision what is not: edge-on, slivers,
- * p close to an edge or to the sphere.
+ * All here are right to 16 epsilon, relatively, for every p and nearly every triangle (as the reals
+ * given describe it): the worst that a search for such triangles met is off by 39. What is clear
+ * they compute fast, and again in twice the precision what is not: edge-on, slivers, p close to an
+ * edge or to the sphere.
  *
  * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed.
- * Eng. 30(2), 1983, eq. 8; A. Girard, "Invention nouvelle en l'algebre", 1629; J. Shewchuk,
- * "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
+ * Eng. 30(2), 1983, eq. 8; J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
+ * Robust Geometric Predicates", 1997.
  */
 #ifndef RADIOMETRY_SOLID_ANGLE_H
 #define RADIOMETRY_SOLID_ANGLE_H
@@ -92,22 +89,6 @@ static inline real sphere_solid_angle(sphere s, vec3 p)
 }
 
 /* ---- triangle ---- */
-
-/* The angle between the planes n, a and n, b, at the corner n of a spherical triangle. */
-static inline real corner_angle_naive(vec3 n, vec3 a, vec3 b)
-{
-    return acos(real_clamp(vdot(vunit(vcross(n, a)), vunit(vcross(n, b))), -1, 1));
-}
-
-/* A triangle of 1e-8 r: each angle is known to some epsilon, their sum less pi to some epsilon, and
- * the answer is 1e-16. */
-static inline real triangle_solid_angle_girard(triangle t, vec3 p)
-{
-    vec3 a = vsub(t.a, p), b = vsub(t.b, p), c = vsub(t.c, p);
-    real sum = corner_angle_naive(a, b, c) + corner_angle_naive(b, c, a)
-             + corner_angle_naive(c, a, b);
-    return vdot(a, vcross(b, c)) < 0 ? pi - sum : sum - pi;
-}
 
 /* The three corners seen from p, without error. */
 typedef struct { wide3 a, b, c; } wide_corners;

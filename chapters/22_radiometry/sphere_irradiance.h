@@ -9,7 +9,6 @@
  *                               k^2 = d^2 - R^2,  w^2 = R^2 - height^2
  *
  *   sphere_irradiance(s, p, n)       E / L [sr]: times L [W/(m^2 sr)] it is the irradiance [W/m^2]
- *   sphere_irradiance_naive(s, p, n) (22.13) as published
  *   sphere_irradiance_unclipped(..)  (22.10) for any height: counts what is below as negative; as
  *                                    does first_sphere_irradiance, which stops at 0
  *
@@ -41,19 +40,6 @@ static inline real sphere_irradiance_unclipped(sphere s, vec3 p, vec3 n)
     vec3 f = vsub(s.c, p);
     real d = vlength(f), sine = s.r / d;
     return sine >= 1 ? pi : pi * sine * sine * (vdot(n, f) / d);
-}
-
-static inline real sphere_irradiance_naive(sphere s, vec3 p, vec3 n)
-{
-    vec3 f = vsub(s.c, p);
-    real d2 = vdot(f, f), h2 = d2 / (s.r * s.r);
-    if (h2 <= 1) return pi;
-    real cosb = real_clamp(vdot(n, f) / sqrt(d2), -1, 1), h = sqrt(h2);
-    if (h * cosb > 1) return pi * cosb / h2;
-    if (h * cosb < -1) return 0;
-    real sinb = sqrt(1 - cosb * cosb), x = sqrt(h2 - 1), y = -x * (cosb / sinb);
-    real sy = sinb * sqrt(real_max(1 - y * y, 0));
-    return (cosb * acos(real_clamp(y, -1, 1)) - x * sy) / h2 + atan(sy / x);
 }
 
 /* The part above the horizon of a sphere whose centre is `depth` [0, R) below it, as slices of one

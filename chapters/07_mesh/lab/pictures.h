@@ -14,9 +14,8 @@
 #include "../../../common/parallel.h"
 #include "../../02_camera/camera.h"
 #include "../../02_camera/samples.h"
-#include "../inside.h"
-#include "../scenes/specimens.h"
 #include "../scenes/teapot.h"
+#include "trials.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

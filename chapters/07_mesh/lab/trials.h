@@ -3,6 +3,10 @@
  *   random_stream s = random_start(seed, ..);
  *   inside_score y = inside_play(&torus, &s, aim, points);          against the ring's own distance
  *
+ *   bool inside_parity_naive(&m, p, d)  parity by the watertight test: at a vertex several are hit
+ *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], k directions; it
+ *                                       needs a nearly closed mesh, of any orientation; k n tests
+ *
  * The tests demand 0 wrong answers of the default methods; main.c prints what all of them reach.
  */
 #ifndef MESH_LAB_TRIALS_H
@@ -23,6 +27,34 @@ static inline vec3 direction(random_stream *s)
 enum { inside_methods = 6, inside_of_hits = 2 };  /* the first two count hits, not crossings */
 static const char *const inside_names[inside_methods] = {
     "first", "parity of hits", "parity of crossings", "vote of 3", "vote of 5", "winding number"};
+
+/* Wrong: an octahedron and a ray from its middle to a vertex. Four triangles meet there, the
+ * watertight test rightly reports all four, and four is even. */
+static inline bool inside_parity_naive(const mesh *m, vec3 p, vec3 d)
+{
+    ray r = ray_from(p, d);
+    ray_shear k = shear_of(r);
+    hit h;
+    size_t hits = 0;
+    for (size_t i = 0; i < m->triangles; i++) hits += mesh_triangle_hit(m, i, &k, r, &h);
+    return hits % 2 == 1;
+}
+
+/* Direction i of k, spread over the sphere along a spiral, turned so that none lies along an
+ * axis, where the edges of made-up meshes like to lie. */
+static inline vec3 inside_direction(int i, int k)
+{
+    real z = 1 - (2 * (real)i + (real)0.8124) / (real)k, a = (real)i * (real)2.39996 + (real)0.6180;
+    real r = sqrt(real_max(1 - z * z, 0));
+    return (vec3){r * cos(a), r * sin(a), z};
+}
+
+static inline bool inside_vote(const mesh *m, vec3 p, int k)
+{
+    int inside = 0;
+    for (int i = 0; i < k; i++) inside += inside_parity_naive(m, p, inside_direction(i, k));
+    return 2 * inside > k;
+}
 
 /* How many rays method k casts in directions of its own; 0: in the one it is given, or none. */
 static inline int inside_votes(int method) { return method == 3 ? 3 : method == 4 ? 5 : 0; }

@@ -1,8 +1,9 @@
-/* variants.h: the textbook's walk, with the signature of octree_hit.
+/* variants.h: the textbook's walk, and ours without delta, with the signature of octree_hit.
  *
  *   octree_hit_textbook(&t, r, &h)  by Revelles et al., as often copied: loses hits
+ *   octree_hit_unpadded(&t, r, &h)  loses them, too
  *
- * It carries the six t at which the ray crosses the planes of a cell, halves them
+ * The textbook carries the six t at which the ray crosses the planes of a cell, halves them
  * for the children, and goes from child to child by the smallest t of exit. It breaks on
  *
  *   rays along an axis      (lo - o) / d is +-inf, or NaN for 0/0 if o is in the plane; and halving
@@ -71,6 +72,13 @@ static inline bool octree_hit_textbook(const octree *t, ray r, hit *out)
     if (real_max(t0.x, real_max(t0.y, t0.z)) < real_min(t1.x, real_min(t1.y, t1.z)))
         textbook_cell(&s, t->node[0], t0, t1);
     return query_answer(&s.q, out);
+}
+
+/* Naive: nothing in advance for rounding. A ray in a wall between two cells is told to be in one of
+ * them, and the item that it hits may have been found to be in the other. */
+static inline bool octree_hit_unpadded(const octree *t, ray r, hit *out)
+{
+    return octree_walk(t, r, false, 0, out, NULL, NULL);
 }
 
 #endif

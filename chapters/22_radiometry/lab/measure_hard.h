@@ -11,6 +11,7 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "naive.h"
 #include "oracle.h"
 #include "../relations.h"
 
