@@ -6,23 +6,21 @@
  *
  *   phi_0 = Le A pi / P(lamp)         x0 uniform on the lamp's area A, its direction as the cosine
  *   pixel += phi f cos_x / (r^2 cos_e^3 a)                                                  (26.8)
- *   phi   *= f cos / pdf / q          as beta in path.h, and the same roulette
+ *   phi   *= f cos / pdf / q          as beta in path.h and by its code, but for (26.10): glass
+ *                                     squeezes radiance, no power
+ *   light_tracer t; light_tracer_of(&scene, eye, w, h, &t);   eye: perspective; no sky, background
+ *                                             or light without size: those show nothing
+ *   light_path(&t, &random, &sum);            one path; sum.rgb: [3 w h], all 0 at first
+ *   pixel k of the picture = sum.rgb[k] / sum.work.paths
+ *   path_tracer_free(&t.paths)
  *
- *   light_tracer t;
- *   light_tracer_of(&scene, eye, w, h, &t);       eye: perspective; no sky, no background,
- *                                               no light without size: those show nothing
- *   light_path(&t, &random, &sum);              one path; sum.rgb: [3 w h], all 0 at first
- *   pixel k of the picture = sum.rgb[k] / number of paths
- *   light_tracer_free(&t)
- *
- * a: area of a pixel in a plane at distance 1 of the eye; cos_e: cosine there, cos_x: at xk; r: the
- * way between. A point dA of a surface covers cos_x dA / (r^2 cos_e^3) of that plane.
+ * A point dA of a surface covers cos_x dA / (r^2 cos_e^3) of a plane at distance 1 of the eye:
+ * cosines at xk and at the eye, r the way between; a: area of a pixel in that plane.
  *
  * The same integral as path.h's, so the same mean in each pixel. What differs is who finds what:
  * light through glass or off a mirror onto a matte floor (a caustic, 焦散) is met by chance only
  * from the eye, and drawn at once from the lamp. What the eye sees in a mirror or through glass no
- * path from the lamp can show: the eye is a point, and the last direction has no choice. There the
- * picture is black. In glass phi stays: power is not squeezed as radiance is (26.10).
+ * path from the lamp can show: the eye is a point, and the last direction has no choice: black.
  *
  * Source: J. Arvo, "Backward Ray Tracing", SIGGRAPH course notes 1986; P. Dutre, E. Lafortune, Y.
  * Willems, "Monte Carlo Light Tracing with Direct Computation of Pixel Intensities", 1993.
@@ -31,119 +29,71 @@
 #define PATH_LIGHT_TRACER_H
 
 #include "../02_camera/camera.h"
-#include "../24_direct_light/lights.h"
-#include "dielectric.h"
-#include "roulette.h"
+#include "path.h"
 
-typedef struct {
-    const lit_scene *scene;
-    lit_lights light;
-    camera eye;
-    int width, height;
-    real pixel;              /* a */
-} light_tracer;
-typedef struct { double *rgb; size_t paths, rays, shadow; } light_sum;
+typedef struct { path_tracer paths; camera eye; int width, height; } light_tracer;
+typedef struct { double *rgb; path_counts work; } light_sum;  /* work.shadow: rays to the eye */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void light_tracer_free(light_tracer *t) { lit_lights_free(&t->light); }
-
 static inline void light_tracer_of(const lit_scene *s, camera eye, int w, int h, light_tracer *out)
 {
-    real a = (eye.right - eye.left) * (eye.top - eye.bottom) / (eye.d * eye.d);
-    *out = (light_tracer){.scene = s, .eye = eye, .width = w, .height = h};
-    out->pixel = a / ((real)w * (real)h);
-    lit_lights_of(s, NULL, LIGHTS_FLUX, &out->light);
+    path_options how = path_defaults;
+    how.light_sampling = false;
+    *out = (light_tracer){.eye = eye, .width = w, .height = h};
+    path_tracer_of(s, NULL, how, &out->paths);
 }
 
-/* (26.8): `sends`: radiance times area that x sends to the eye. */
-static inline void light_show(const light_tracer *t, surface s, vec3 sends, light_sum *to)
+/* (26.8), phi_f = phi f: what s sends to the eye. */
+static inline void light_show(const light_tracer *t, const surface *s, vec3 phi_f, light_sum *to)
 {
-    real x, y;
-    vec3 way = vsub(t->eye.e, s.p), wi = vunit(way);
-    real cosine = vdot(s.n, wi), middle = vdot(wi, t->eye.w), rr = vdot(way, way);
-    if (!(cosine > 0) || vzero(sends)) return;
-    if (!camera_project(t->eye, s.p, t->width, t->height, &x, &y)) return;
-    if (!(x >= 0 && x < (real)t->width && y >= 0 && y < (real)t->height)) return;
-    to->shadow++;
-    if (lit_occluded_from(t->scene, leave_to(s, t->eye.e), s.shape, lit_dark)) return;
-    real k = cosine / (rr * middle * middle * middle * t->pixel);
+    const camera *c = &t->eye;
+    real x, y, w = (real)t->width, h = (real)t->height;
+    vec3 way = vsub(c->e, s->p), wi = vunit(way);
+    real cosine = vdot(s->n, wi), middle = vdot(wi, c->w);
+    if (!(cosine > 0) || vzero(phi_f)) return;
+    if (!camera_project(*c, s->p, t->width, t->height, &x, &y)) return;
+    if (!(x >= 0 && x < w && y >= 0 && y < h)) return;
+    to->work.shadow++;
+    if (lit_occluded_from(t->paths.scene, leave_to(*s, c->e), s->shape, lit_dark)) return;
+    real a = (c->right - c->left) * (c->top - c->bottom) / (c->d * c->d * w * h);
+    vec3 L = vscale(phi_f, cosine / (vdot(way, way) * middle * middle * middle * a));
     double *at = to->rgb + 3 * ((size_t)y * (size_t)t->width + (size_t)x);
-    at[0] += (double)(sends.x * k), at[1] += (double)(sends.y * k), at[2] += (double)(sends.z * k);
+    at[0] += (double)L.x, at[1] += (double)L.y, at[2] += (double)L.z;
 }
 
-/* Where the path is. */
-typedef struct {
-    vec3 phi;
-    real most;                   /* largest component of phi_0 */
-    ray r;
-    const lit_material *medium;  /* glass that r is in, or NULL */
-} light_walk;
-
-/* From a lamp, which the eye may see itself; false: there is none. */
-static inline bool light_begin(const light_tracer *t, random_stream *s, light_walk *w,
-                               light_sum *to)
+/* From a lamp, which the eye may see itself. Dice look at beta = phi / *power, at most 1. */
+static inline path_walk light_begin(const light_tracer *t, path_random *s, real *power,
+                                    light_sum *to)
 {
-    if (!lit_lights_some(&t->light)) return false;
-    real chance, rest, which = random_next(s);
-    const emitter *e = &t->scene->emitter[lit_lights_choose(&t->light, which, &chance, &rest)];
-    real u = random_next(s), v = random_next(s);
-    vec3 n, x = emitter_at(e, (point2){u, v}, &n);
+    real chance;
+    vec3 n;
+    point2 u = path_pair(s), v = path_pair(s);
+    size_t k = lit_lights_choose(&t->paths.light, u.u, &chance, &u.u);
+    const emitter *e = &t->paths.light.emitter[k];
+    vec3 x = emitter_at(e, u, &n);
     surface from = emitter_surface(e, x, n);
-    light_show(t, from, vscale(e->Le, e->area / chance), to);
-    u = random_next(s), v = random_next(s);
-    w->phi = vscale(e->Le, e->area * pi / chance);
-    w->most = real_max(real_max(w->phi.x, w->phi.y), w->phi.z);
-    w->r = leave(from, directed(n, sample_cosine(u, v))), w->medium = NULL;
-    return true;
+    path_walk w = path_begin(leave(from, directed(n, sample_cosine(v.u, v.v))));
+    real most = real_max(real_max(e->Le.x, e->Le.y), e->Le.z);
+    w.beta = vscale(e->Le, 1 / most), *power = most * e->area * pi / chance;
+    light_show(t, &from, vscale(w.beta, *power / pi), to);
+    return w;
 }
 
-/* Both: on from the hit x; false: the path ends. */
-static inline bool light_through_glass(light_walk *w, const lit_hit *x, random_stream *s)
+static inline void light_path(const light_tracer *t, path_random *s, light_sum *to)
 {
-    bool through;
-    vec3 back = vneg(w->r.d), wo;
-    real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1, power = 1;
-    if (x->m->alpha > 0) {
-        rough_glass g = {x->m->alpha, n1, n2};
-        if (!dielectric_rough(g, x->s.n, vunit(back), s, &wo, &through, &power)) return false;
-    } else wo = dielectric_scatter(x->s.n, back, n1, n2, random_next(s), &through);
-    if (through) w->medium = x->front ? x->m : NULL;
-    w->phi = vscale(w->phi, power), w->r = leave(x->s, wo);
-    return true;
-}
-
-static inline bool light_reflect(const light_tracer *t, light_walk *w, const lit_hit *x,
-                                 random_stream *s, light_sum *to)
-{
-    const brdf *b = &x->m->f;
-    if (brdf_is_black(b)) return false;
-    vec3 wo, weight;
-    real pdf;
-    shading_frame f = shading_frame_of(x->s.ns);
-    vec3 wi = to_local(f, vneg(w->r.d)), eye = to_local(f, vunit(vsub(t->eye.e, x->s.p)));
-    if (!brdf_is_delta(b) && !brdf_behind(eye))
-        light_show(t, x->s, vmul(w->phi, brdf_value_local(b, wi, eye)), to);
-    real u = random_next(s), v = random_next(s);
-    if (!brdf_sample_local(b, wi, u, v, &wo, &pdf, &weight)) return false;
-    wo = to_world(f, wo), w->phi = vmul(w->phi, weight);
-    if (!(vdot(x->s.n, wo) > 0) || vzero(w->phi)) return false;
-    real q = roulette_survival(vscale(w->phi, 1 / w->most));
-    if (q < 1 && random_next(s) >= q) return false;
-    w->phi = vscale(w->phi, 1 / q), w->r = leave(x->s, wo);
-    return true;
-}
-
-static inline void light_path(const light_tracer *t, random_stream *s, light_sum *to)
-{
-    light_walk w;
-    lit_hit x = {.s = {.shape = no_shape}};
-    to->paths++;
-    if (!light_begin(t, s, &w, to)) return;
-    while (to->rays++, lit_trace_from(t->scene, w.r, x.s.shape, &x)) {
-        if (w.medium) w.phi = vmul(w.phi, absorbed(w.medium->sigma, x.t * vlength(w.r.d)));
-        if (x.m->ior > 0 ? !light_through_glass(&w, &x, s) : !light_reflect(t, &w, &x, s, to))
-            return;
+    lit_hit x;
+    real power;
+    to->work.paths++;
+    if (!lit_lights_some(&t->paths.light)) return;
+    path_walk w = light_begin(t, s, &power, to);
+    to->work.camera++;  /* not from one, but the first */
+    while (path_meets(&t->paths, &w, &x)) {
+        shading_frame f = shading_frame_of(x.s.ns);
+        vec3 eye = to_local(f, vunit(vsub(t->eye.e, x.s.p))), wi = to_local(f, vneg(w.r.d));
+        vec3 phi_f = vscale(vmul(w.beta, brdf_value_local(&x.m->f, wi, eye)), power / w.squeezed);
+        if (!(x.m->ior > 0)) light_show(t, &x.s, phi_f, to);
+        if (!path_on(&t->paths, &w, &x, s, &to->work)) return;
     }
 }
 

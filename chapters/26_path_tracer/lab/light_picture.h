@@ -26,14 +26,16 @@ typedef struct {
 static inline void light_job(size_t job, void *context)
 {
     light_share *l = context;
-    for (size_t k = 0; k < l->paths; k++) {
-        random_stream s = random_start(l->seed, job, k);
+    path_pixel p;
+    path_pixel_of(&path_defaults, l->seed, job, &p);
+    for (uint32_t k = 0; k < l->paths; k++) {
+        path_random s = path_sample(&p, k, 1u << 31);
         light_path(l->t, &s, &l->sum[job]);
     }
 }
 
 static inline bool light_picture(const light_tracer *t, uint64_t seed, size_t paths, int threads,
-                                 image *im, light_sum *work)
+                                 image *im, path_counts *work)
 {
     light_share l = {.t = t, .seed = seed, .paths = paths / light_jobs};
     size_t n = 3 * (size_t)t->width * (size_t)t->height;
@@ -45,11 +47,7 @@ static inline bool light_picture(const light_tracer *t, uint64_t seed, size_t pa
         for (int k = 0; k < light_jobs; k++) sum += l.sum[k].rgb[i];
         im->rgb[i] = (float)(sum / (double)paths);
     }
-    for (int k = 0; k < light_jobs; k++) {
-        const light_sum *s = &l.sum[k];
-        work->paths += s->paths, work->rays += s->rays, work->shadow += s->shadow;
-        free(s->rgb);
-    }
+    for (int k = 0; k < light_jobs; k++) path_counts_add(work, &l.sum[k].work), free(l.sum[k].rgb);
     return whole;
 }
 

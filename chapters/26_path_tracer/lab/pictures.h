@@ -111,7 +111,7 @@ static inline void draw_light(const options *o)
     uint32_t samples = o->quick ? 4 : 32;
     shot s;
     light_tracer l;
-    light_sum work = {0};
+    path_counts work = {0};
     image im;
     shot_of(&s, o, "spheres", path_defaults, side, side);
     image all = image_new(2 * side, side);
@@ -124,7 +124,7 @@ static inline void draw_light(const options *o)
     if (whole) whole = light_picture(&l, o->seed, paths, o->threads, &im, &work);
     else im = image_new(side, side);  /* Ctrl-C stopped the first half: no second one */
     double seconds[2] = {s.j.pass.seconds, clock_seconds() - start};
-    size_t rays[2] = {path_rays(&s.j.counts), work.rays + work.shadow};
+    size_t rays[2] = {path_rays(&s.j.counts), path_rays(&work)};
     for (int k = 0; k < 2; k++) {
         table_text(&t, k ? "from the lamp" : "from the eye"), table_count(&t, paths);
         table_number(&t, (double)rays[k] / (double)paths), table_number(&t, seconds[k]);
@@ -133,7 +133,7 @@ static inline void draw_light(const options *o)
     draw_panel(&all, 1, 1, exposed(im, 2));
     output_extra_table(o, &t);
     panels_save(o, &all, 2, 1, 0, title, "26_path_tracer_light.png", whole);
-    light_tracer_free(&l), shot_free(&s);
+    path_tracer_free(&l.paths), shot_free(&s);
 }
 
 #endif
