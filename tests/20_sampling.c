@@ -168,6 +168,20 @@ static void test_rims(void)
     check_equal(beyond, 0, "a cone wider by 64 epsilon is another cone");
 }
 
+/* Against libm's, in a type of more digits. */
+static void test_angle(void)
+{
+    long double worst = 0;
+    for (uint64_t i = 0; i < check_count(100000); i++) {
+        real x = i ? pi / 4 * (2 * random_real(10, 0, i, 0) - 1) : pi / 4, c, s;
+        sample_angle(x, &c, &s);
+        long double w = (long double)x, off = fabs((long double)c - cos(w));
+        long double more = fabs(((long double)s - sin(w)) / w);
+        worst = off > worst ? off : worst, worst = more > worst ? more : worst;
+    }
+    check_at_most((double)worst, real_epsilon, "cosine and sine / x");
+}
+
 /* sin of the angle of sample u: of a cone 2 sqrt(q (1-q)), q = u sin^2(angle/2), in double from the
  * angle itself; of a lobe by its first two terms, a = -log(1-u) / (n+1) being small. */
 static void test_narrow(void)
@@ -318,6 +332,7 @@ int main(void)
     test_cube();
     test_corners();
     test_rims();
+    test_angle();
     test_narrow();
     test_stretch();
     test_triangles_and_frames();

@@ -49,6 +49,23 @@ static inline vec3 sample_turn(real r, real z, real v)
 
 /* ---- disk: squares of radius a become circles of radius a ---- */
 
+/* cos and sin of x, |x| <= pi / 4, within epsilon, by polynomials: libm's, which first reduce any
+ * angle, take 3 % more of all instructions of 26. Source of the factors: Sun Microsystems, fdlibm,
+ * k_sin.c and k_cos.c, 1993. */
+static inline void sample_angle(real x, real *cosine, real *sine)
+{
+    static const double a[6] = {1.58969099521155010221e-10, -2.50507602534068634195e-08,
+                                2.75573137070700676789e-06, -1.98412698298579493134e-04,
+                                8.33333333332248946124e-03, -1.66666666666666324348e-01};
+    static const double b[6] = {-1.13596475577881948265e-11, 2.08757232129817482790e-09,
+                                -2.75573143513906633035e-07, 2.48015872894767294178e-05,
+                                -1.38888888888741095749e-03, 4.16666666666666019037e-02};
+    real z = x * x, s = 0, c = 0;
+#pragma GCC unroll 6
+    for (int k = 0; k < 6; k++) s = (real)a[k] + z * s, c = (real)b[k] + z * c;
+    *cosine = 1 - (z / 2 - z * z * c), *sine = x + x * z * s;
+}
+
 /* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
  * Which of the two is larger is an index, not a branch, which nobody could predict. */
 static inline vec3 sample_disk(real u, real v)
@@ -57,8 +74,9 @@ static inline vec3 sample_disk(real u, real v)
     int flat = fabs(ab[0]) > fabs(ab[1]);
     real r = ab[!flat], q = ab[flat];
     if (r == 0) return (vec3){0, 0, 0};
-    real phi = pi / 4 * (q / r);
-    xy[!flat] = r * cos(phi), xy[flat] = r * sin(phi);
+    real c, s;
+    sample_angle(pi / 4 * (q / r), &c, &s);
+    xy[!flat] = r * c, xy[flat] = r * s;
     return (vec3){xy[0], xy[1], 0};
 }
 
