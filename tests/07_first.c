@@ -14,7 +14,7 @@ static const double eps = (double)real_epsilon;
  * ray is judged where it passes 1e-3 of a triangle's weights away from any border. */
 static void test_closest(mesh m)
 {
-    first_mesh soup = mesh_soup(&m);
+    first_mesh soup = first_mesh_of(&m);
     size_t wrong = 0, judged = 0, hits = 0, n = check_count(20000);
     double off = 0, normal = 0;
     first_tests = 0;

@@ -398,7 +398,7 @@ static void lattice(void)
     enum { n = 4 };
     mesh m = octahedron_mesh(n);
     inside_score w = {0, {0}};
-    first_mesh soup = mesh_soup(&m);
+    first_mesh soup = first_mesh_of(&m);
     for (int z = -n; z <= n; z++)
         for (int y = -n; y <= n; y++)
             for (int x = -n - 1; x <= n + 1; x++)

@@ -212,10 +212,11 @@ static void test_delta(void)
 /* A cell without room of its own is cut for as long as less than half of all room is gone. */
 static void test_room(void)
 {
-    size_t half = (size_t)structure_room(1000) / 2;
-    check(!structure_is_full(1000, half, 2, 1), "no room in the cell, but half of all");
-    check(structure_is_full(1000, half + 1, 2, 1), "less than half");
-    check(!structure_is_full(1000, half + 1, 1, 1), "room in the cell");
+    structure_stats s = {.items = 1000, .references = (size_t)structure_room(1000) / 2};
+    check(!structure_is_full(&s, 2, 1), "no room in the cell, but half of all");
+    s.references++;
+    check(structure_is_full(&s, 2, 1), "less than half");
+    check(!structure_is_full(&s, 1, 1), "room in the cell");
 }
 
 int main(void)

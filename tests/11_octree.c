@@ -83,7 +83,7 @@ static void test_beyond_the_cell(void)
     set_triangle(&m, 1, (vec3){5, 0, 0}, (vec3){5, 3, 0}, (vec3){5, 0, 3});
     set_triangle(&m, 2, (vec3){8, 8, 8}, (vec3){8, 8, 7}, (vec3){8, 7, 8});
     how = (octree_options){1, 1, true, true, (size_t)1 << 26};
-    check(octree_build(&x, how, &t, &f) && t.size == 8 && t.depth == 1, "one cut");
+    check(octree_build(&x, how, &t, &f) && t.size == 8 && t.stats.depth == 1, "one cut");
     octree_hit(&t, r, &h), octree_hit_textbook(&t, r, &naive);
     check(h.shape == 1 && h.t == 6, "the nearer one is found, in the second cell");
     check(naive.shape == 0 && naive.t > 7, "textbook: ends at a hit beyond the first cell");
@@ -251,11 +251,11 @@ static void test_tree(const char *name, mesh m, octree_options with, size_t poin
               && st.references == s.references && st.items == m.triangles,
           "%s: octree_stats counts what is there", name);
     check_equal(st.depth, s.depth, "%s: the deepest leaf that holds something", name);
-    check_equal(st.bytes, t.nodes * sizeof *t.node + t.references * sizeof *t.reference,
+    check_equal(st.bytes, t.nodes * sizeof *t.node + t.stats.references * sizeof *t.reference,
                 "%s: what is held is what is counted", name);
     check(st.depth <= with.depth && st.bytes <= st.peak && st.peak <= with.most_bytes,
           "%s: depth and memory within the limits", name);
-    size_t nodes = t.nodes * sizeof *t.node, references = t.references * sizeof *t.reference;
+    size_t nodes = t.nodes * sizeof *t.node, references = t.stats.references * sizeof *t.reference;
     check_at_least(st.peak, st.bytes + (nodes > references ? nodes : references),
                    "%s: an array and what it was copied from", name);
     check_equal(st.leaves, 7 * st.inner + 1, "%s: each cut makes seven more leaves", name);

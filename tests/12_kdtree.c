@@ -153,7 +153,7 @@ static void walk_node(walk *w, uint32_t at, kd_box cell, int depth)
     if (kd_is_leaf(n)) {
         uint32_t count = kd_count(n);
         w->leaves++, w->empty += count == 0, w->references += count;
-        w->bad_range += n.first + (size_t)count > w->t->references;
+        w->bad_range += n.first + (size_t)count > w->t->stats.references;
         return;
     }
     int k = kd_axis(n);
@@ -203,7 +203,7 @@ static void invariants_of(const char *what, mesh m, kdtree_options how)
     check_equal(w.bad_full, 0, "%s: a node says which of its children are empty leaves", what);
     check_at_least(s.references, s.items, "%s: every item is somewhere", what);
     check_at_least(s.peak, s.bytes, "%s: peak", what);
-    check_equal(s.bytes, t.nodes * 8 + (t.references + 1) * 16,
+    check_equal(s.bytes, t.nodes * 8 + (t.stats.references + 1) * 16,
                 "%s: 8 bytes a node, 16 a reference", what);
     size_t lost = 0, points = check_count(40000);
     for (size_t i = 0; i < points; i++) {
@@ -321,7 +321,7 @@ static void test_limits(void)
     how = kdtree_defaults;
     for (int depth = 1; depth <= 12; depth++) {
         how.depth = depth;
-        check(kdtree_build(&x, how, &t, &f) && t.depth == depth, "depth %d is kept", depth);
+        check(kdtree_build(&x, how, &t, &f) && t.stats.depth == depth, "depth %d is kept", depth);
         kdtree_free(&t);
     }
     mesh row = mesh_room(40);  /* each half as large as the one before: a cell in a cell */
@@ -330,7 +330,8 @@ static void test_limits(void)
         set_triangle(&row, i, (vec3){s, 0, 0}, (vec3){s, s, 0}, (vec3){s, 0, s});
     }
     x = items_of_mesh(&row), how.depth = kdtree_most_depth;
-    check(kdtree_build(&x, how, &t, &f) && t.depth > kd_default_depth(40), "the most is allowed");
+    check(kdtree_build(&x, how, &t, &f) && t.stats.depth > kd_default_depth(40),
+          "the most is allowed");
     kdtree_free(&t), mesh_free(&row);
     kdtree none = {0};
     kdtree_free(&none);
@@ -357,7 +358,7 @@ static void test_frame(void)
             c.v[j] = vadd(vscale(c.v[j], list[i].scale), list[i].move);
         items y = items_of_mesh(&c);
         check(kdtree_build(&y, kdtree_defaults, &u, &f), "%s: built", list[i].what);
-        check_close(u.references, t.references, 0.02 * (double)t.references,
+        check_close(u.stats.references, t.stats.references, 0.02 * (double)t.stats.references,
                     "%s: as many references, but for planes that rounding moved", list[i].what);
         const structure_place place = {list[i].move, list[i].scale, 0};
         structure s = {"k-d tree", STRUCTURE_OF(kdtree)};

@@ -406,8 +406,8 @@ static void test_same_tree(void)
     bsp a, b;
     failure f;
     check(bsp_build(&x, bsp_defaults, &a, &f) && bsp_build(&x, bsp_defaults, &b, &f), "twice");
-    bool equal = a.nodes == b.nodes && a.references == b.references
-                 && memcmp(a.reference, b.reference, a.references * sizeof *a.reference) == 0;
+    bool equal = a.nodes == b.nodes && a.stats.references == b.stats.references
+                 && memcmp(a.reference, b.reference, a.stats.references * sizeof *a.reference) == 0;
     check(equal, "one seed, one tree");
     bsp_free(&a), bsp_free(&b), bsp_free(&b);
     mesh_free(&m);

@@ -1,6 +1,6 @@
 /* Tests of 22_radiometry: solid angles against closed forms, against 32 digits, and where the naive
  * forms fail. */
-#include "../chapters/07_mesh/inside.h"
+#include "../chapters/07_mesh/lab/trials.h"
 #include "../chapters/20_monte_carlo/sampler.h"
 #include "../chapters/22_radiometry/lab/naive.h"
 #include "../chapters/22_radiometry/lab/oracle.h"

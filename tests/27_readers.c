@@ -3,7 +3,7 @@
  * Oracles: numbers that a double holds exactly, written by hand; scenes of 17, printed as NFF and
  * read again; random materials, printed in many ways.
  */
-#include "../chapters/16_instances/crowd.h"
+#include "../chapters/16_instances/placing.h"
 #include "../chapters/07_mesh/scenes/spd.h"
 #include "27_files.h"
 #include "../chapters/27_effects/appearance.h"

@@ -30,19 +30,11 @@
 typedef struct { vec3 lo, hi; } csg_bound;
 typedef struct { vec3 o, inverse; real tmin, tmax, room; } csg_line;
 
+#define csg_no_end ((vec3){real_infinity, real_infinity, real_infinity})
+#define csg_bound_all ((csg_bound){vneg(csg_no_end), csg_no_end})
+#define csg_bound_nothing ((csg_bound){csg_no_end, vneg(csg_no_end)})
+
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline csg_bound csg_bound_nothing(void)
-{
-    const real inf = real_infinity;
-    return (csg_bound){{inf, inf, inf}, {-inf, -inf, -inf}};
-}
-
-static inline csg_bound csg_bound_all(void)
-{
-    const csg_bound none = csg_bound_nothing();
-    return (csg_bound){none.hi, none.lo};
-}
 
 #define csg_rounding (2048 * real_epsilon)  /* (6.8) */
 
@@ -59,12 +51,12 @@ static inline csg_bound csg_bound_of_box(const csg_solid *s)
         b.lo = vadd(b.lo, vmin(x, y)), b.hi = vadd(b.hi, vmax(x, y));
     }
     bool askew = !(fabs(det) > vlength(n[0]) * vlength(n[1]) * vlength(n[2]) / 4);
-    return askew || !vfinite(b.lo) || !vfinite(b.hi) ? csg_bound_all() : b;
+    return askew || !vfinite(b.lo) || !vfinite(b.hi) ? csg_bound_all : b;
 }
 
 static inline csg_bound csg_bound_of_mesh(csg_closed m)
 {
-    csg_bound b = csg_bound_nothing();
+    csg_bound b = csg_bound_nothing;
     for (size_t i = 0; i < m.n; i++) {
         const triangle t = m.tri[i];
         b.lo = vmin(b.lo, vmin(t.a, vmin(t.b, t.c)));
@@ -78,7 +70,7 @@ static inline csg_bound csg_bound_exact(const csg_solid *s)
 {
     if (s->kind == CSG_BOX) return csg_bound_of_box(s);
     if (s->kind == CSG_MESH) return csg_bound_of_mesh(s->mesh);
-    csg_bound b = csg_bound_all();
+    csg_bound b = csg_bound_all;
     bool half = s->kind == CSG_HALF, ball = s->kind == CSG_SPHERE;
     vec3 v = half ? s->box.n[0] : ball ? (vec3){0, 0, 0} : s->cylinder.a;
     vec3 c = ball ? s->ball.c : s->cylinder.p;
@@ -95,7 +87,7 @@ static inline csg_bound csg_bound_exact(const csg_solid *s)
 
 static inline csg_bound csg_bound_of(const csg_solid *s)
 {
-    if (!csg_solid_is_some(s)) return csg_bound_nothing();
+    if (!csg_solid_is_some(s)) return csg_bound_nothing;
     csg_bound b = csg_bound_exact(s);
     real room = 0;
     for (int k = 0; k < 3; k++) {
@@ -112,7 +104,7 @@ static inline csg_bound csg_bound_joined(csg_operation what, csg_bound a, csg_bo
     if (what == CSG_DIFFERENCE) return a;
     csg_bound both = {vmax(a.lo, b.lo), vmin(a.hi, b.hi)};
     bool any = both.lo.x <= both.hi.x && both.lo.y <= both.hi.y && both.lo.z <= both.hi.z;
-    return any ? both : csg_bound_nothing();
+    return any ? both : csg_bound_nothing;
 }
 
 static inline csg_line csg_line_of(ray r)

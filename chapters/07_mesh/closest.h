@@ -6,8 +6,6 @@
  *   bool scene_occluded(&s, r)                is there any hit at all? ends at the first one found
  *   bool mesh_hit(&m, r, &h)                  the same for the triangles of a mesh: h.shape is the
  *   bool mesh_occluded(&m, r)                 triangle, h.u and h.v its barycentrics
- *   first_mesh s = mesh_soup(&m)              its triangles, by the same numbers, for what first.h
- *                                             asks of them; first_mesh_free(&s) [< 2^31 triangles]
  *
  *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.1)
  *
@@ -18,7 +16,6 @@
 #ifndef MESH_CLOSEST_H
 #define MESH_CLOSEST_H
 
-#include "first.h"
 #include "mesh.h"
 #include "shape.h"
 
@@ -89,13 +86,6 @@ static inline bool mesh_occluded(const mesh *m, ray r)
     for (size_t i = 0; i < m->triangles; i++)
         if (mesh_triangle_hit(m, i, &k, r, &h)) return true;
     return false;
-}
-
-static inline first_mesh mesh_soup(const mesh *m)
-{
-    first_mesh s = {allocate(m->triangles, sizeof *s.tri), (int)m->triangles};
-    for (size_t i = 0; i < m->triangles; i++) s.tri[i] = mesh_triangle(m, i);
-    return s;
 }
 
 #endif

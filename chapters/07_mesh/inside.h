@@ -31,20 +31,11 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Half open, so that each crossing belongs to one triangle: (7.9), and an edge through the ray
- * itself counts as passing on the side of negative x, for both its triangles. */
-static inline bool edge_crosses(vec3 a, vec3 b)
-{
-    bool up = b.y > 0;
-    real e = a.x * b.y - a.y * b.x;
-    return (a.y > 0) != up && (up ? e > 0 : e < 0);
-}
-
-/* The picture along the ray again: each corner has one place in it, and triangle a b c contains
- * the origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give
- * their shared edge the same answer, so over a closed mesh all of them cancel: the whole line has
- * an even number of crossings whatever the rounding did, and those in front of p tell where p is.
- *                                                                                          (7.2) */
+/* The picture along the ray again: each corner has one place in it, and triangle a b c contains the
+ * origin if an odd number of its edges cross the half axis y = 0, x > 0, by (7.9); one through the
+ * ray itself counts as passing on the other side. Two triangles give their shared edge the same
+ * answer, so over a closed mesh all of them cancel: the whole line has an even number of crossings
+ * whatever the rounding did, and those in front of p tell where p is.                      (7.2) */
 static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
 {
     ray_shear s = shear_of(ray_from(p, d));
@@ -53,7 +44,9 @@ static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
         const uint32_t *k = m->index + 3 * i;
         vec3 a = shear_corner(&m->v[k[0]], &s), b = shear_corner(&m->v[k[1]], &s),
              c = shear_corner(&m->v[k[2]], &s);
-        if (!(edge_crosses(a, b) ^ edge_crosses(b, c) ^ edge_crosses(c, a))) continue;
+        int crossed = (edge_of(a, b) == EDGE_CROSSES) + (edge_of(b, c) == EDGE_CROSSES)
+                      + (edge_of(c, a) == EDGE_CROSSES);
+        if (crossed % 2 == 0) continue;
         real ea = b.x * c.y - b.y * c.x, eb = c.x * a.y - c.y * a.x, ec = a.x * b.y - a.y * b.x;
         odd ^= (ea * a.z + eb * b.z + ec * c.z) / (ea + eb + ec) * s.sz > 0;  /* t > 0 */
     }
@@ -68,14 +61,6 @@ static inline void solid_angle_half(vec3 a, vec3 b, vec3 c, double *x, double *y
     real la = vlength(a), lb = vlength(b), lc = vlength(c);
     *x = (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb);
     *y = (double)vdot(a, vcross(b, c));
-}
-
-/* Between -2 pi and 2 pi. */
-static inline double solid_angle(vec3 a, vec3 b, vec3 c)
-{
-    double x, y;
-    solid_angle_half(a, b, c, &x, &y);
-    return 2 * atan2(y, x);
 }
 
 /* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.      (7.4)

@@ -69,10 +69,10 @@ typedef struct { size_t most, bytes, peak; bool full; } memory;
  * is gone. Models don't get there. */
 static inline double structure_room(size_t n) { return 64 * (double)n + 0x1p22; }
 
-/* named: so far, by all leaves; wanted: what a cut would name, of its cell's room. */
-static inline bool structure_is_full(size_t n, size_t named, double wanted, double room)
+/* wanted: what a cut would name, of its cell's room. */
+static inline bool structure_is_full(const structure_stats *s, double wanted, double room)
 {
-    return wanted > room && 2 * (double)named > structure_room(n);
+    return wanted > room && 2 * (double)s->references > structure_room(s->items);
 }
 
 /* Counts n things of `size` bytes; false: no room for them. */

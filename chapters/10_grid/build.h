@@ -120,24 +120,24 @@ static inline double grid_density(const grid *g, grid_options how)
                                                           : how.density;
 }
 
-static inline bool grid_build(const items *x, grid_options how, grid *out, failure *f)
+static inline void grid_cut(grid *g, double density)
 {
     int n[3];
-    size_t entered = 0;
+    grid_resolution(g->box, density * (double)g->entered, g->margin, n);
+    g->cells = lattice_of(g->box, n);
+}
+
+static inline bool grid_build(const items *x, grid_options how, grid *out, failure *f)
+{
     aabb b;
     *out = (grid){.x = *x, .mailbox = how.mailbox};
     if (!(how.density >= 1e-6 && how.density <= 1e6))
         return failed(f, 2, "density %g: allowed are 1e-6 to 1e6 cells an item", how.density);
     if (!grid_bounds(x, out, f)) return false;
-    for (size_t i = 0; i < x->n; i++) entered += items_bounds(x, i, &b);
-    out->entered = entered;
-    grid_resolution(out->box, how.density * (double)entered, out->margin, n);
-    out->cells = lattice_of(out->box, n);
+    for (size_t i = 0; i < x->n; i++) out->entered += items_bounds(x, i, &b);
+    grid_cut(out, how.density);
     double fit = grid_density(out, how);
-    if (fit < how.density) {
-        grid_resolution(out->box, fit * (double)entered, out->margin, n);
-        out->cells = lattice_of(out->box, n);
-    }
+    if (fit < how.density) grid_cut(out, fit);
     if (grid_mark(out, how, f)) return true;
     grid_free(out);
     return false;

@@ -83,14 +83,8 @@ static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3],
 
 fast_inline grid_line line_of(ray r)
 {
-    real longest = vlargest(r.d), scale = 1;
-    if (!square_is_safe(longest * longest)) {  /* rare: 1/d, or t, could overflow */
-        int e, most = real_is_float ? FLT_MAX_EXP - 1 : DBL_MAX_EXP - 1;
-        (void)frexp(longest, &e);
-        e = e < most ? e : most;
-        r.d = (vec3){ldexp(r.d.x, -e), ldexp(r.d.y, -e), ldexp(r.d.z, -e)};
-        longest = ldexp(longest, -e), scale = ldexp((real)1, e);
-    }
+    real longest = vlargest(r.d), scale = direction_scale(longest);
+    if (scale != 1) r.d = vscale(r.d, 1 / scale), longest /= scale;  /* 1/d, or t, could overflow */
     real least = longest * (real_epsilon / 4);
     vec3 inverse = {fabs(r.d.x) > least ? 1 / r.d.x : 0, fabs(r.d.y) > least ? 1 / r.d.y : 0,
                     fabs(r.d.z) > least ? 1 / r.d.z : 0};

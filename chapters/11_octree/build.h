@@ -52,11 +52,11 @@ typedef struct {
     octree_options how;
     octree_node *node;     /* node 0 is the root; then blocks of eight, from number 8 on */
     uint32_t *reference;   /* numbers of items, leaf by leaf */
-    size_t nodes, references, items;
+    size_t nodes;
+    structure_stats stats; /* but for the bytes: those of `held` */
     aabb bounds;           /* of what can be hit */
     vec3 lo;               /* the cube */
     real size;
-    int depth;             /* of the deepest leaf */
     memory held;
 } octree;
 
@@ -118,13 +118,14 @@ static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin
                                     int depth)
 {
     octree *t = b->t;
-    if (t->references + n >= octree_is_leaf
-        || !memory_room(&t->held, &t->reference, t->references, t->references + n,
-                        &b->reference_room, sizeof *t->reference)) return false;
-    if (n) memcpy(t->reference + t->references, b->list + begin, n * sizeof *t->reference);
-    t->node[node] = (octree_node){(uint32_t)t->references, octree_is_leaf | (uint32_t)n};
-    t->references += n;
-    if (depth > t->depth) t->depth = depth;
+    size_t first = t->stats.references, end = first + n;
+    if (end >= octree_is_leaf || !memory_room(&t->held, &t->reference, first, end,
+                                              &b->reference_room, sizeof *t->reference))
+        return false;
+    if (n) memcpy(t->reference + first, b->list + begin, n * sizeof *t->reference);
+    t->node[node] = (octree_node){(uint32_t)first, octree_is_leaf | (uint32_t)n};
+    t->stats.references = end, t->stats.leaves++, t->stats.empty += n == 0;
+    if (depth > t->stats.depth) t->stats.depth = depth;
     return true;
 }
 
@@ -150,7 +151,7 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     }
     for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
     bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
-    if ((!helps && vain) || structure_is_full(t->items, t->references, (double)sum, room))
+    if ((!helps && vain) || structure_is_full(&t->stats, (double)sum, room))
         return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */
@@ -158,11 +159,14 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
         || !memory_room(&t->held, &t->node, first, first + 8, &b->node_room, sizeof *t->node))
         return false;
     memset(t->node + first, 0, 8 * sizeof *t->node);
-    t->nodes = first + 8;
+    t->nodes = first + 8, t->stats.inner++;
     t->node[node] = (octree_node){(uint32_t)first, filled};
     for (unsigned c = 0; c < 8; c++) {
         size_t at = end;
-        if (count[c] == 0) continue;
+        if (count[c] == 0) {
+            t->stats.leaves++, t->stats.empty++;
+            continue;
+        }
         if (!octree_list_room(b, end + count[c] + 1)) return false;
         for (size_t i = begin; i < end; i++) {  /* without a branch: one place more is written to */
             b->list[at] = b->list[i];
@@ -201,16 +205,16 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
         t.nodes = 8;
         for (size_t i = 0; i < x->n; i++) {
             aabb box;
-            b.list[t.items] = (uint32_t)i;
-            t.items += items_bounds(x, i, &box);
+            b.list[t.stats.items] = (uint32_t)i;
+            t.stats.items += items_bounds(x, i, &box);
         }
-        ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.items, false,
-                        structure_room(t.items));
+        ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.stats.items, false,
+                        structure_room(t.stats.items));
     }
     memory_drop(&t.held, b.list, b.room, sizeof *b.list), memory_drop(&t.held, b.within, b.room, 1);
     ok = ok && memory_fit(&t.held, &t.node, t.nodes, t.nodes, &b.node_room, sizeof *t.node)
-         && memory_fit(&t.held, &t.reference, t.references, t.references, &b.reference_room,
-                       sizeof *t.reference);
+         && memory_fit(&t.held, &t.reference, t.stats.references, t.stats.references,
+                       &b.reference_room, sizeof *t.reference);
     if (!ok) {
         octree_free(&t);
         return failed(f, 1, "octree of %zu items, leaves of %d, depth %d: more than %zu bytes",
@@ -222,14 +226,8 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
 
 static inline structure_stats octree_stats(const octree *t)
 {
-    structure_stats s = {.references = t->references, .items = t->items, .depth = t->depth,
-                         .bytes = t->held.bytes, .peak = t->held.peak};
-    for (size_t i = 0; i < t->nodes; i += i == 0 ? 8 : 1) {
-        uint32_t kind = t->node[i].kind;
-        bool leaf = kind == 0 || kind & octree_is_leaf;
-        s.inner += !leaf, s.leaves += leaf;
-        s.empty += leaf && (kind & ~octree_is_leaf) == 0;
-    }
+    structure_stats s = t->stats;
+    s.bytes = t->held.bytes, s.peak = t->held.peak;
     return s;
 }
 

@@ -56,17 +56,12 @@ typedef struct {
 enum { octree_trail_room = 64 };
 typedef struct { uint32_t node[octree_trail_room]; int n; } octree_trail;
 
-/* 1/eps where d_k is 0 or so small that it does not matter; a NaN cannot be, d is finite. */
-static inline real octree_inverse(real d, real way)
-{
-    real i = way / fabs(d);
-    return real_min(i, 1 / real_epsilon);
-}
-
+/* i_k is 1/eps where d_k is 0 or so small that it does not matter; no NaN, as d is finite. */
 static inline octree_ray octree_ray_of(const octree *t, ray r, real pad)
 {
     real way = vlargest(r.d), delta = pad * query_delta(r, t->bounds);
-    vec3 i = {octree_inverse(r.d.x, way), octree_inverse(r.d.y, way), octree_inverse(r.d.z, way)};
+    vec3 d = vabs(r.d), i = {way / d.x, way / d.y, way / d.z}, most = {1, 1, 1};
+    i = vmin(i, vscale(most, 1 / real_epsilon));
     unsigned flip = (r.d.x < 0 ? 1u : 0) | (r.d.y < 0 ? 2u : 0) | (r.d.z < 0 ? 4u : 0);
     return (octree_ray){i, vscale(i, delta), way, flip};
 }
@@ -135,7 +130,7 @@ fast_inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *ou
 {
     octree_level stack[octree_most_depth];
     int top = 0;
-    if (t->items == 0 || !ray_is_usable(r)) return false;
+    if (t->stats.items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
     const octree_ray o = octree_ray_of(t, r, pad);

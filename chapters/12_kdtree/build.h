@@ -111,13 +111,13 @@ static inline bool kd_partition(kd_builder *b, size_t begin, size_t n, kd_choice
 static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
 {
     kdtree *t = b->t;
-    size_t first = t->references;
+    size_t first = t->stats.references;
     b->large |= first + n > UINT32_MAX || n >= (size_t)1 << 30;
     if (b->large || !memory_room(&t->held, &b->index, first, first + n, &b->index_room,
                                  sizeof *b->index)) return false;
     for (size_t i = 0; i < n; i++) b->index[first + i] = b->item[begin + i].index;
     t->node[at] = kd_leaf_node(first, n);
-    t->references += n;
+    t->stats.references += n, t->stats.leaves++, t->stats.empty += n == 0;
     return true;
 }
 
@@ -128,7 +128,7 @@ static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box 
     const kdtree_options *how = &b->how;
     bool by_cost = how->leaf == 0;
     if (depth >= how->depth || n == 0) return false;
-    if (structure_is_full(b->t->items, b->t->references, 2 * (double)n, room)) return false;
+    if (structure_is_full(&b->t->stats, 2 * (double)n, room)) return false;
     if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
     *c = kd_choose(&b->split, b->item + begin, n, cell);
     return c->cost < (by_cost ? how->item_cost * (double)n : HUGE_VAL);
@@ -140,14 +140,14 @@ static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, con
     kdtree *t = b->t;
     kd_choice c;
     size_t below, above, first = t->nodes;
-    if (depth > t->depth) t->depth = depth;
+    if (depth > t->stats.depth) t->stats.depth = depth;
     if (!kd_wants(b, begin, n, cell, depth, doubled, room, &c)) return kd_leaf(b, at, begin, n);
     if (!kd_partition(b, begin, n, c, &below, &above)) return false;
     if (below + above > n + n / 2) doubled++;
     b->large |= first + 2 > (size_t)1 << 29;
     if (b->large || !memory_room(&t->held, &t->node, first, first + 2, &b->node_room,
                                  sizeof *t->node)) return false;
-    t->nodes += 2;
+    t->nodes += 2, t->stats.inner++;
     t->node[at] = kd_inner(c.plane, c.axis, first, below > 0, above > 0);
     kd_box lower = *cell, upper = *cell;
     lower.hi[c.axis] = upper.lo[c.axis] = c.plane;
@@ -180,7 +180,7 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
         }
         n++;
     }
-    t->items = n;
+    t->stats.items = n;
     return true;
 }
 
@@ -188,7 +188,7 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
 static inline bool kd_finish(kd_builder *b)
 {
     kdtree *t = b->t;
-    size_t room = 0, n = t->references;
+    size_t room = 0, n = t->stats.references;
     if (!memory_fit(&t->held, &t->node, t->nodes, t->nodes, &b->node_room, sizeof *t->node))
         return false;
     if (t->x.s) {
@@ -216,7 +216,7 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
     memory *m = &t->held;
     size_t room = 0;
     if (!kd_gather(b, all)) return false;
-    size_t n = t->items;
+    size_t n = t->stats.items;
     if (b->how.strategy != KD_SAH && b->how.leaf == 0) b->how.leaf = 4;
     if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
     bool done = memory_fit(m, &b->split.begin, 0, 3 * n + 3, &room, sizeof(uint32_t))

@@ -54,13 +54,8 @@ STRUCTURE_VERBS(kdtree)
 
 static inline structure_stats kdtree_stats(const kdtree *t)
 {
-    structure_stats s = {.references = t->references, .items = t->items, .depth = t->depth,
-                         .bytes = t->held.bytes, .peak = t->held.peak};
-    for (size_t i = 0; i < t->nodes; i++) {
-        if (i == 1) continue;
-        if (!kd_is_leaf(t->node[i])) s.inner++;
-        else s.leaves++, s.empty += kd_count(t->node[i]) == 0;
-    }
+    structure_stats s = t->stats;
+    s.bytes = t->held.bytes, s.peak = t->held.peak;
     return s;
 }
 

@@ -60,7 +60,7 @@ fast_inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, bool 
 {
     kd_waiting stack[kdtree_most_depth];
     int top = 0;
-    if (t->items == 0 || !ray_is_usable(r)) return false;
+    if (t->stats.items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
     kd_ray k;
     kd_ray_of(r, &t->frame, &t->box, pads, &k);

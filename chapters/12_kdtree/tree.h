@@ -35,12 +35,12 @@ typedef struct {
     kd_node *node;            /* [nodes] 0 is the root, 1 not used: pairs begin at even numbers */
     kd_triangle *triangle;    /* [references] of a mesh, else NULL */
     uint32_t *index;          /* [references] of a scene, else NULL */
-    size_t nodes, references, items;
+    size_t nodes;
+    structure_stats stats;    /* but for the bytes: those of `held` */
     items x;
     const vec3 *v;            /* corners of the mesh */
     aabb_frame frame;
     kd_box box;               /* in the frame; lo > hi if there is nothing */
-    int depth;
     memory held;
 } kdtree;
 

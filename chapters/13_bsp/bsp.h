@@ -70,7 +70,7 @@ fast_inline bool bsp_walk(const bsp *b, ray r, real pads, bool any, bool first_l
     bsp_waiting stack[bsp_most_depth + 1];
     int top = 0;
     bsp_ray s;
-    if (b->in_tree == 0 || !ray_is_usable(r) || !bsp_ray_of(b, r, pads, &s)) return false;
+    if (b->stats.items == 0 || !ray_is_usable(r) || !bsp_ray_of(b, r, pads, &s)) return false;
     query q = query_of(r);
     real t0 = s.t0, t1 = s.t1, limit = t1;
     uint32_t at = 0;

@@ -49,10 +49,9 @@ typedef struct {
     bsp_node *node;
     vec3 *normal;
     uint32_t *reference;
-    size_t nodes, normals, references, in_tree;
+    size_t nodes, normals;
     size_t cuts;           /* fragments that planes cut in two while it was built */
-    int depth;
-    size_t bytes, peak;
+    structure_stats stats;
 } bsp;
 
 /* By measurement: see the table of the README. */
@@ -81,9 +80,9 @@ static inline bool bsp_fits(bsp_builder *b)
     size_t now = b->node_room * sizeof(bsp_node) + b->normal_room * sizeof(vec3)
                  + b->reference_room * sizeof(uint32_t) + workshop_bytes(&b->c.w)
                  + cells_bytes(&b->c.cells);
-    if (now > b->tree->peak) b->tree->peak = now;
+    if (now > b->tree->stats.peak) b->tree->stats.peak = now;
     b->full |= now > b->c.how.most_bytes || b->tree->nodes >= bsp_slanted_bit
-               || b->tree->references >= bsp_leaf_bit || b->c.w.corners >= bsp_leaf_bit;
+               || b->tree->stats.references >= bsp_leaf_bit || b->c.w.corners >= bsp_leaf_bit;
     return !b->full;
 }
 
@@ -91,12 +90,14 @@ static inline void bsp_make_leaf(bsp_builder *b, size_t at, fragment_range_of al
 {
     bsp *t = b->tree;
     uint32_t n = (uint32_t)(all.end - all.begin);
-    t->node[at] = (bsp_node){0, (uint32_t)t->references, bsp_leaf_bit | n};
+    t->node[at] = (bsp_node){0, (uint32_t)t->stats.references, bsp_leaf_bit | n};
     for (size_t i = all.begin; i < all.end; i++) {
-        t->reference = grown(t->reference, t->references, &b->reference_room, sizeof(uint32_t));
-        t->reference[t->references++] = b->c.w.f[i].item;
+        size_t k = t->stats.references++;
+        t->reference = grown(t->reference, k, &b->reference_room, sizeof(uint32_t));
+        t->reference[k] = b->c.w.f[i].item;
     }
-    if (depth > t->depth) t->depth = depth;
+    t->stats.leaves++, t->stats.empty += n == 0;
+    if (depth > t->stats.depth) t->stats.depth = depth;
 }
 
 /* Fragments of one side, on top of the workshop. */
@@ -140,33 +141,32 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
     plane_choice x;
     if (!bsp_fits(b)) return;
     if (depth >= b->c.how.depth
-        || structure_is_full(b->tree->in_tree, b->tree->references, 2 * n, room)
+        || structure_is_full(&b->tree->stats, 2 * n, room)
         || !choose_plane(&b->c, all, c, &x)) {
         bsp_make_leaf(b, at, all, depth);
         return;
     }
     for (int k = 0; k < 2; k++)
         b->tree->node = grown(b->tree->node, b->tree->nodes++, &b->node_room, sizeof(bsp_node));
-    size_t first = b->tree->nodes - 2, corners = w->corners, fragments = w->fragments;
-    bsp_set_plane(b, at, &x.p);
-    b->tree->cuts += x.cut;
+    size_t first = b->tree->nodes - 2, corners[2], fragments[2];
+    cell_mark cells[2];
+    convex part[2];
+    fragment_range_of of[2];
     bool areas = rule_by_cost(b->c.how.rule);
-    cell_mark mark = cells_mark(&b->c.cells);
-    convex back = areas ? cell_cut(&b->c.cells, c, &x.p, 1) : c;
-    fragment_range_of behind = bsp_collect(b, all, &x, SIDE_BACK);
-    cell_mark mark_back = cells_mark(&b->c.cells);
-    size_t corners_back = w->corners, fragments_back = w->fragments;
-    convex front = areas ? cell_cut(&b->c.cells, c, &x.p, -1) : c;
-    fragment_range_of before = bsp_collect(b, all, &x, SIDE_FRONT);
-    double n_before = (double)(before.end - before.begin);
-    double n_behind = (double)(behind.end - behind.begin);
-    double share = n_before + n_behind > 0 ? room / (n_before + n_behind) : 0;
-    if (!b->full) bsp_make_node(b, first + 1, before, front, depth + 1, share * n_before);
-    w->corners = corners_back, w->fragments = fragments_back;
-    cells_back_to(&b->c.cells, mark_back);
-    if (!b->full) bsp_make_node(b, first, behind, back, depth + 1, share * n_behind);
-    w->corners = corners, w->fragments = fragments;
-    cells_back_to(&b->c.cells, mark);
+    bsp_set_plane(b, at, &x.p);
+    b->tree->cuts += x.cut, b->tree->stats.inner++;
+    for (int k = 0; k < 2; k++) {
+        corners[k] = w->corners, fragments[k] = w->fragments, cells[k] = cells_mark(&b->c.cells);
+        part[k] = areas ? cell_cut(&b->c.cells, c, &x.p, k ? -1 : 1) : c;
+        of[k] = bsp_collect(b, all, &x, k ? SIDE_FRONT : SIDE_BACK);
+    }
+    double named = (double)(of[0].end - of[0].begin + of[1].end - of[1].begin);
+    for (int k = 1; k >= 0; k--) {
+        double share = named > 0 ? room / named * (double)(of[k].end - of[k].begin) : 0;
+        if (!b->full) bsp_make_node(b, first + (size_t)k, of[k], part[k], depth + 1, share);
+        w->corners = corners[k], w->fragments = fragments[k];
+        cells_back_to(&b->c.cells, cells[k]);
+    }
 }
 
 /* An array of just the size needed. */
@@ -213,36 +213,27 @@ static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure 
     fragment g;
     for (size_t i = 0; i < x->n && (i % 1024 || bsp_fits(&b)); i++)
         if (fragment_of(&b.c.w, (uint32_t)i, &g)) workshop_push(&b.c.w, g);
-    out->in_tree = b.c.w.fragments;
+    out->stats.items = b.c.w.fragments;
     out->node = grown(NULL, 0, &b.node_room, sizeof(bsp_node));
     out->nodes = 1;
     convex c = cell_box(&b.c.cells, vscale(out->half, 1 / b.c.w.scale));
-    bsp_make_node(&b, 0, (fragment_range_of){0, out->in_tree}, c, 0,
-                  structure_room(out->in_tree));
+    bsp_make_node(&b, 0, (fragment_range_of){0, out->stats.items}, c, 0,
+                  structure_room(out->stats.items));
     free(b.c.w.corner), free(b.c.w.f), cells_free(&b.c.cells);
     if (b.full) {
-        size_t references = out->references;
+        size_t references = out->stats.references;
         bsp_free(out);
         return failed(f, 2, "%zu items, named %zu times so far: more than %zu bytes", x->n,
                       references, how.most_bytes);
     }
     out->node = bsp_trim(out->node, out->nodes, sizeof(bsp_node));
     out->normal = bsp_trim(out->normal, out->normals, sizeof(vec3));
-    out->reference = bsp_trim(out->reference, out->references, sizeof(uint32_t));
-    out->bytes = out->nodes * sizeof(bsp_node) + out->normals * sizeof(vec3)
-                 + out->references * sizeof(uint32_t);
+    out->reference = bsp_trim(out->reference, out->stats.references, sizeof(uint32_t));
+    out->stats.bytes = out->nodes * sizeof(bsp_node) + out->normals * sizeof(vec3)
+                 + out->stats.references * sizeof(uint32_t);
     return true;
 }
 
-static inline structure_stats bsp_stats(const bsp *b)
-{
-    structure_stats s = {.references = b->references, .items = b->in_tree, .depth = b->depth,
-                         .bytes = b->bytes, .peak = b->peak};
-    for (size_t i = 0; i < b->nodes; i++) {
-        bool leaf = b->node[i].kind & bsp_leaf_bit;
-        s.inner += !leaf, s.leaves += leaf, s.empty += b->node[i].kind == bsp_leaf_bit;
-    }
-    return s;
-}
+static inline structure_stats bsp_stats(const bsp *b) { return b->stats; }
 
 #endif

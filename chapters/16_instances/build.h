@@ -12,7 +12,7 @@
 #define INSTANCES_BUILD_H
 
 #include "../14_bvh/bvh_mesh.h"
-#include "crowd.h"
+#include "placing.h"
 
 typedef enum {
     INSTANCES_CORNERS,   /* boxes by the eight corners of the mesh's box: loose; O(1) an instance */

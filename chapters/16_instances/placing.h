@@ -49,6 +49,11 @@
 #include "../09_aabb/aabb.h"
 #include "../14_bvh/node.h"
 
+typedef struct { affine to_world; uint32_t mesh; } instance;
+
+/* What there is to be seen: meshes, and where they stand. All of it belongs to the caller. */
+typedef struct { const mesh *mesh; size_t meshes; const instance *list; size_t n; } crowd;
+
 typedef struct { real by_origin, fixed; } placing;  /* pad = by_origin * |O| + fixed */
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -24,7 +24,7 @@
 #ifndef EFFECTS_STUDIO_H
 #define EFFECTS_STUDIO_H
 
-#include "../16_instances/crowd.h"
+#include "../16_instances/placing.h"
 #include "../18_shade/leave.h"
 #include "../18_shade/light.h"
 #include "files/name_table.h"

@@ -148,7 +148,8 @@ static inline void implicit_draw_shapes(const options *o)
                                         "torus, by intervals"};
     implicit_view v[] = {
         {.s = implicit_subject_of(IMPLICIT_GYROID).s, .how = implicit_sure},
-        {.s = implicit_subject_of(IMPLICIT_BLEND).s, .how = implicit_trace_defaults},
+        {.s = implicit_subject_of(IMPLICIT_BLEND).s,
+         .how = {IMPLICIT_TRACE, implicit_trace_steps, implicit_trace_eps}},
         {.s = implicit_subject_of(IMPLICIT_TORUS).s, .how = implicit_sure}};
     v[0].c = implicit_camera(vec(0, 0, 0), 3 * v[0].s.ball.r, 40, 30, 25);
     v[1].c = implicit_camera(vec(-0.05, 0, 0), 3 * v[1].s.ball.r, 27, 30, 30);

@@ -20,8 +20,8 @@
 
 #include "../../../common/parallel.h"
 #include "../../../common/random.h"
-#include "../implicit.h"
 #include "../scenes/models.h"
+#include "implicit_methods.h"
 #include "implicit_oracle.h"
 
 typedef enum {

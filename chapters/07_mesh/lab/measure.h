@@ -40,7 +40,7 @@ static inline void inside_report(const options *o)
     double seconds[inside_methods];
     size_t points = o->quick ? 50 : 1000;
     mesh m = torus_mesh(24);
-    first_mesh soup = mesh_soup(&m);
+    first_mesh soup = first_mesh_of(&m);
     plot against_time = plot_new("Point in mesh, rays through vertices", "time [ns a triangle]",
                                  "wrong [%]", PLOT_LOG_X);
     table t = table_new(
@@ -134,7 +134,7 @@ static inline void cost_report(const options *o, const mesh *m, bool is_main)
     double least = 0, least_us = 1, us[3] = {1, 0, 0};
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
-    first_mesh soup = mesh_soup(m);
+    first_mesh soup = first_mesh_of(m);
     for (int k = 5; k >= 0; k--) {
         mesh part = *m;
         part.triangles = m->triangles >> (2 * k);

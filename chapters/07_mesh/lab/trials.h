@@ -14,6 +14,7 @@
 
 #include "../../../common/random.h"
 #include "../inside.h"
+#include "../scenes/as_first.h"
 #include "../scenes/specimens.h"
 
 static inline vec3 direction(random_stream *s)
@@ -54,6 +55,14 @@ static inline bool inside_vote(const mesh *m, vec3 p, int k)
     int inside = 0;
     for (int i = 0; i < k; i++) inside += inside_parity_naive(m, p, inside_direction(i, k));
     return 2 * inside > k;
+}
+
+/* Of a triangle seen from the origin, between -2 pi and 2 pi: (7.3) as it stands. */
+static inline double solid_angle(vec3 a, vec3 b, vec3 c)
+{
+    double x, y;
+    solid_angle_half(a, b, c, &x, &y);
+    return 2 * atan2(y, x);
 }
 
 /* How many rays method k casts in directions of its own; 0: in the one it is given, or none. */
@@ -101,7 +110,7 @@ static inline inside_score inside_play(const mesh *torus, random_stream *s, insi
                                        size_t points)
 {
     inside_score score = {points, {0}};
-    first_mesh soup = mesh_soup(torus);
+    first_mesh soup = first_mesh_of(torus);
     random_stream before = *s;
     for (int k = 0; k < inside_methods - (at != AT_RANDOM); k++) {
         *s = before;

@@ -2,6 +2,7 @@
  * beside those of 10 to 14.
  *
  *   first_mesh f = first_mesh_of(&m);     triangle i is triangle i; first_mesh_free
+ *                                         [< 2^31 triangles]
  *   first_is_wrong(h, brute)              is h another answer than brute force's?
  *
  * The first structures ask first_triangle_hit, which rounds otherwise than triangle_hit: t and u, v
@@ -13,13 +14,16 @@
 #define MESH_AS_FIRST_H
 
 #include "../../01_ray/hit.h"
-#include "../closest.h"
+#include "../first.h"
+#include "../mesh.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline first_mesh first_mesh_of(const mesh *m)
 {
-    return mesh_soup(m);
+    first_mesh s = {allocate(m->triangles, sizeof *s.tri), (int)m->triangles};
+    for (size_t i = 0; i < m->triangles; i++) s.tri[i] = mesh_triangle(m, i);
+    return s;
 }
 
 /* Both are hit_none where there is no hit; infinity - infinity is no number, and not wrong. */

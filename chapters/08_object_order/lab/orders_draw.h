@@ -11,6 +11,7 @@
 
 #include "../../../common/lab/figure.h"
 #include "../../../common/lab/panels.h"
+#include "../../07_mesh/scenes/as_first.h"
 #include "../shadow_map.h"
 #include "orders.h"
 
@@ -61,7 +62,7 @@ static inline void orders_draw(const options *o)
 static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
 {
     raster out = raster_new(nx, ny);
-    first_mesh soup = mesh_soup(m);
+    first_mesh soup = first_mesh_of(m);
     first_camera f = {c.e, c.u, c.v, c.w, c.left, c.right, c.bottom, c.top, c.d, nx, ny};
     first_raster s = first_raster_new(nx, ny);
     first_raster_mesh(&s, &soup, f);

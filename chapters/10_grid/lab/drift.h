@@ -57,12 +57,12 @@ static inline bool whole_same(const whole_walk *w, const grid_walk *a)
 }
 
 /* Distance, along axis k, of the next wall from where t says that it is [cells]. */
-static inline double whole_error(const whole_walk *w, const grid_walk *a)
+static inline double whole_error(vec3 d, const grid_walk *a)
 {
     double worst = 0;
     for (int k = 0; k < 3; k++) {
         double wall = (double)vaxis(a->j, k) + 0.5;
-        worst = fmax(worst, fabs((double)vaxis(a->t, k) * (double)w->d[k] - wall));
+        worst = fmax(worst, fabs((double)vaxis(a->t, k) * (double)vaxis(d, k) - wall));
     }
     return worst;
 }
@@ -86,7 +86,7 @@ static inline drift drift_after(grid_step *step, size_t steps, size_t walks, uin
             astray |= !tie && !whole_same(&exact, &w);
         }
         missed += astray;
-        out.error = fmax(out.error, whole_error(&exact, &w));
+        out.error = fmax(out.error, whole_error(a.d, &w));
     }
     out.missed = (double)missed / (double)walks;
     return out;

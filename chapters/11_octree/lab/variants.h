@@ -63,7 +63,7 @@ static inline bool octree_hit_textbook(const octree *t, ray r, hit *out)
 {
     textbook_walk s = {t, query_of(r), mailbox_new(), 0};
     vec3 lo = vsub(t->lo, r.o), hi = vadd(lo, (vec3){t->size, t->size, t->size}), d = r.d;
-    if (t->items == 0) return false;
+    if (t->stats.items == 0) return false;
     for (int k = 0; k < 3; k++) {  /* mirrored, so that all d are positive */
         real *l = (real *)&lo + k, *h = (real *)&hi + k, *a = (real *)&d + k, swap = *l;
         if (*a < 0) *l = -*h, *h = -swap, *a = -*a, s.flip |= 1u << k;

@@ -58,7 +58,7 @@ static inline bool kd_textbook(const kdtree *t, ray r, kd_manner manner, hit *ou
 {
     kd_part stack[kdtree_most_depth], p = {0, r.tmin, r.tmax};
     int top = 0;
-    if (t->items == 0 || !ray_is_usable(r)) return false;
+    if (t->stats.items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
     vec3 o = frame_into(&t->frame, r.o), d = vscale(r.d, t->frame.scale);
     for (;;) {

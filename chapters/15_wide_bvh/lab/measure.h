@@ -10,6 +10,7 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../../07_mesh/scenes/as_first.h"
 #include "../../07_mesh/scenes/specimens.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../09_aabb/trials/bench.h"
@@ -163,7 +164,7 @@ static inline void table_of_cracks(const options *o)
                       "lost rays [of 1000]", PLOT_LOG_X | PLOT_LOG_Y);
     mesh m = octahedron_mesh(48);
     items x = items_of_mesh(&m);
-    first_mesh soup = mesh_soup(&m);
+    first_mesh soup = first_mesh_of(&m);
     first_wide w4 = first_wide_build(&soup);
     bvh8 w;
     bvh b2;
