@@ -1,7 +1,7 @@
 /* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
- * Without options: the box, the ideas one by one, a drawing, error and time of every strategy;
- * --full: all pictures and tables. With a model, --scene, --samples, --error, --time: one
+ * Without options: the box, a drawing, error and time of every strategy; --full: all pictures, the
+ * ideas one by one among them, and tables. With a model, --scene, --samples, --error, --time: one
  * picture. Errors are measured against a reference of many samples, which a test compares with the
  * naive path of 25. */
 #include "lab/command.h"
@@ -45,11 +45,11 @@ int main(int argc, char **argv)
         return output_done(&o);
     }
     draw_scene(&o, "cornell", o.width, o.height, 16, 2, "26_path_tracer.png", true);
-    if (!o.out) draw_strategies(&o), draw_vertices(&o);
+    if (!o.out) draw_vertices(&o);
     if (!o.out && o.full) {
         if (!getenv("BENCH_ONCE"))  /* bench.h: the tables are all that is asked for */
             draw_scene(&o, "rough", 720, 250, 128, 1, "26_path_tracer_rough.png", false);
-        draw_light(&o), draw_ladder(&o);
+        draw_strategies(&o), draw_light(&o), draw_ladder(&o);
     }
     measure_strategies(&o);
     return output_done(&o);

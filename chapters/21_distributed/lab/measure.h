@@ -63,7 +63,7 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
         }
         run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
     }
-    bench_each(picture_seconds, run, sizeof *run, measure_methods, o->quick ? 1 : 3, 1.0 / 16,
+    bench_each(picture_seconds, run, sizeof *run, measure_methods, o->full ? 3 : 1, 1.0 / 16,
                p.seconds);
     image_free(&im), image_free(&reference);
     return p;

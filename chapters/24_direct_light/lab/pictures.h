@@ -58,8 +58,10 @@ static inline void direct_pixel(int x, int y, void *context)
     direct_work work = {0, 0, 0};
     direct d = {&v->g->s, v->way, k->l, &work, false};
     uint64_t pixel = (uint64_t)y * (uint64_t)k->im->width + (uint64_t)x;
+    sampler_keys keys;
+    sampler_keys_of(v->sequence, v->seed, pixel, &keys);
     for (uint32_t i = 0; i < v->n; i++) {
-        sampler s = sampler_start(v->sequence, v->seed, pixel, i, v->n);
+        sampler s = sampler_of_keys(&keys, i, v->n);
         point2 p = sampler_pair(&s);
         ray r = camera_ray(v->g->c, (real)x + p.u, (real)y + p.v, k->im->width, k->im->height);
         lit_hit h;

@@ -125,7 +125,7 @@ static inline void survey_measure(direct_survey *s, const options *o)
     parallel_whole(direct_ways * survey_levels, o->threads, "samples", survey_job, s);
     for (int k = 0; k < direct_ways; k++) run[k] = (survey_run){s, (direct_way)k};
     double samples = (double)s->points * survey_timed_samples;
-    bench_each(survey_timed, run, sizeof *run, direct_ways, o->quick ? 1 : 5, 1 / samples,
+    bench_each(survey_timed, run, sizeof *run, direct_ways, o->full ? 5 : 1, 1 / samples,
                s->seconds);
 }
 
