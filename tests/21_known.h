@@ -33,6 +33,7 @@
 
 #include "../common/lab/t_test.h"
 #include "../chapters/21_distributed/distributed.h"
+#include "../chapters/21_distributed/lab/distributed_naive.h"
 
 typedef enum {
     KNOWN_SQUARE, KNOWN_DISK, KNOWN_BALL, KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_HORIZON,
@@ -255,7 +256,7 @@ static inline double known_sample(const known *k, point2 u)
     case KNOWN_HORIZON: return glossy_ray(*s, vec(sqrt((real)0.75), 0, -0.5), 1, u, &r);
     case KNOWN_LENS: case KNOWN_SHARP: return known_passes(&t, RAY_CAMERA, known_eye(u));
     case KNOWN_MOTION: return motion_any(&t, &k->ball, 1, u.u, RAY_CAMERA, ray_from(s->p, s->n));
-    default: return ambient_open(&t, *s, u, k->reach);
+    default: return ambient_ray(*s, u, k->reach, &r) ? known_passes(&t, RAY_SIGHT, r) : 0;
     }
 }
 

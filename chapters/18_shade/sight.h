@@ -1,11 +1,10 @@
 /* sight.h: can two points see each other? Ray casting (光线投射) that draws nothing.
  *
  *   bool sight(&t, a, b)                one ray of kind RAY_SIGHT between two surfaces
- *   sight_table(&t, s, n, sees)         sees[i n + j]: symmetric, true in the diagonal
  *
  * Only pairs that face each other are asked: where n.(b - a) <= 0 at either end, the surface itself
- * is in between. The same answer for a, b and b, a: one ray serves both, so a table takes at most
- * n (n - 1) / 2 of them. Used for who can see whom in a game, antennas, view factors, guards.
+ * is in between. The same answer for a, b and b, a: one ray serves both. Used for who can see whom
+ * in a game, antennas, view factors, guards.
  */
 #ifndef SHADE_SIGHT_H
 #define SHADE_SIGHT_H
@@ -32,14 +31,6 @@ static inline bool sight_free(tracer *t, surface a, surface b)
 static inline bool sight(tracer *t, surface a, surface b)
 {
     return sight_possible(a, b) && sight_free(t, a, b);
-}
-
-static inline void sight_table(tracer *t, const surface *s, size_t n, bool *sees)
-{
-    for (size_t i = 0; i < n; i++) {
-        sees[i * n + i] = true;
-        for (size_t j = i + 1; j < n; j++) sees[i * n + j] = sees[j * n + i] = sight(t, s[i], s[j]);
-    }
 }
 
 #endif

@@ -11,7 +11,6 @@
  *
  *   surface s = surface_of_shape(&shapes[h.shape], r, h);     a shape of a scene (07)
  *   surface s = surface_of_mesh(&m, h);                       a triangle of a mesh (07)
- *   surface s = surface_naive(&shapes[h.shape], r, h);        p = o + t d, no bounds: to compare
  *   surface s = surface_facing(s, d);                         n and ns turned against d
  *
  * How far o + t d is off: epsilon (|o| + |t d|) for the sum, and |d| times the error of t, whatever
@@ -161,14 +160,6 @@ static inline surface surface_of_shape(const shape *s, ray r, hit h)
     case SHAPE_OTHER: return surface_on_other(s->other, h, p, vlength(vsub(p, r.o)));
     }
     return (surface){p, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
-}
-
-/* p is where the ray says, and nobody knows how far that is from the surface. At 1e4 from the
- * origin in float: 1e-3. */
-static inline surface surface_naive(const shape *s, ray r, hit h)
-{
-    vec3 p = ray_at(r, h.t), n = shape_normal(*s, h, p);
-    return (surface){p, n, n, 0, 0, h.shape};
 }
 
 /* Seen from where the ray comes from: n.d <= 0. ns turns with n. */

@@ -8,16 +8,13 @@
  *   0 |-------''               R + T = 1; R = 1 in total reflection
  *     0     i      90
  *   real R = fresnel(&s)              exact, for the cosines of refract.h
- *   real R = schlick(&s)              R0 + (1 - R0)(1 - c)^5,  R0 = ((n1-n2)/(n1+n2))^2  (19.7)
- *                                     c: the cosine on the thinner side, n1 > n2 ? ct : ci
  *
  * (p - q) and (u - v) cancel if n1 is nearly n2. With (19.3), p^2 - q^2 = (n1-n2)(n1+n2), and
  *   rs = (n1-n2)(n1+n2) / (p+q)^2,
  *   rp = (n2-n1)(n2+n1) ((n1^2+n2^2) ci^2 - n1^2) / (n2^2 (u+v)^2)                       (19.8)
  * The bracket is 0 at Brewster's angle, tan i = n2/n1: there one polarisation has no R.
  *
- * Sources: M. Born, E. Wolf, "Principles of Optics", 7th ed., 1999, section 1.5.2; C. Schlick, "An
- * Inexpensive BRDF Model for Physically-based Rendering", Eurographics 1994.
+ * Sources: M. Born, E. Wolf, "Principles of Optics", 7th ed., 1999, section 1.5.2.
  */
 #ifndef WHITTED_FRESNEL_H
 #define WHITTED_FRESNEL_H
@@ -38,13 +35,6 @@ static inline real fresnel(const snell *s)
     double k = x / (a * b), ks = k * b, kp = k * y * a;                                 /* (19.8) */
     double R = (ks * ks + kp * kp) / 2;
     return (real)(R < 1 ? R : 1);  /* at a grazing angle rounding may bring it past 1 */
-}
-
-static inline real schlick(const snell *s)
-{
-    double r = (s->n1 - s->n2) / (s->n1 + s->n2), R0 = r * r;
-    double m = 1 - (s->n1 > s->n2 ? s->ct : s->ci), mm = m * m;
-    return (real)(s->total ? 1 : R0 + (1 - R0) * (mm * mm * m));                        /* (19.7) */
 }
 
 #endif

@@ -19,8 +19,8 @@
  *   media_crossing_add(&c, k, +1)                     a face of k, from outside to inside; -1: out
  *   before = media_before(in, &c)                     `in`, and what is left without having been
  *                                                     entered: the ray began in there
- *   after = media_after(before, &c)
- *   media_begin(&in, &c), media_cross(&in, &c)        `in` becomes that, where it lies
+ *   after = before, media_cross(&after, &c)           what is behind it
+ *   media_begin(&in, &c)                              `in` becomes `before`, where it lies
  *   from = media_fills(m, &before), to = media_fills(m, &after);     from == to: no interface
  *
  * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
@@ -45,7 +45,7 @@ enum { media_most = 7, media_most_faces = 8 };
 typedef struct { uint32_t n, body[media_most]; } media_set;  /* in the order of entering */
 /* Not three arrays: from -O2 on gcc 12.2 walks those of 4 and of 1 byte with one counter, writes an
  * address as 0 + .. (ivopts), takes that for an access through NULL (ipa-modref), concludes that
- * media_after does not read body[], and drops what a caller has just written there. */
+ * media_cross does not read body[], and drops what a caller has just written there. */
 typedef struct { uint32_t body; bool in, out; } media_face;
 typedef struct { int n; media_face face[media_most_faces]; } media_crossing;
 
@@ -114,11 +114,6 @@ static inline void media_cross(media_set *in, const media_crossing *c)
 static inline media_set media_before(media_set in, const media_crossing *c)
 {
     return media_begin(&in, c), in;
-}
-
-static inline media_set media_after(media_set before, const media_crossing *c)
-{
-    return media_cross(&before, c), before;
 }
 
 #endif

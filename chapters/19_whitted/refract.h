@@ -12,7 +12,6 @@
  *   if (snell_of(d, n, n1, n2, &s))           false: total reflection (then s.total)
  *       w = snell_refract(&s, d, n);          unit
  *   first_refract(d, n, n1, n2, &w)           first.h: ct^2 = 1 - (n1/n2)^2 (1 - ci^2)
- *   snell_of_naive(d, n, n1, n2, &s)          by the sines: sin t = n1/n2 sqrt(1 - ci^2)
  *
  * d and n are unit within some epsilon, n.d <= 0; n1, n2 > 0: refractive indices (折射率) of the side
  * that d comes from, and of the other.
@@ -58,18 +57,6 @@ static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)
     *out = (snell){a, b, ci, 0, !(k >= 0)};  /* a NaN: total */
     if (out->total) return false;
     out->ct = sqrt(k) / b;                                                              /* (19.3) */
-    return true;
-}
-
-/* Fails for: d = -n where n.n > 1 by rounding, as for a quarter of all normals: a NaN, where
- * first_refract has none. Both, n1 = 1, n2 = 1 + epsilon at a grazing angle: ct is off by all of
- * itself. */
-static inline bool snell_of_naive(vec3 d, vec3 n, real n1, real n2, snell *out)
-{
-    real eta = n1 / n2, ci = -vdot(n, d), sine = eta * sqrt(1 - ci * ci);
-    *out = (snell){(double)n1, (double)n2, (double)ci, 0, sine > 1};
-    if (out->total) return false;
-    out->ct = (double)sqrt(1 - sine * sine);
     return true;
 }
 

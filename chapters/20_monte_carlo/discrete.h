@@ -13,9 +13,6 @@
  *
  * O(log n) a choice, O(n) to build. `rest` is how far u went into the step: as uniform as u was,
  * and as well spread, but with log2(1/p) digits fewer.
- *
- *   call                 cannot do                                          so
- *   choice_sample_naive  the sum may round to less than 1, and u be above   n: no such thing
  */
 #ifndef MONTE_CARLO_DISCRETE_H
 #define MONTE_CARLO_DISCRETE_H
@@ -73,17 +70,6 @@ static inline size_t choice_sample(const choice *c, real u, real *p, real *rest)
     *p = real_max((real)(step / whole), real_smallest);
     *rest = real_min((real)((x - c->before[lo]) / step), 1 - real_epsilon / 2);
     return lo;
-}
-
-/* Walks along normalised weights. Ten weights of 1 as float: they sum to 1.0000001 or .9999999. */
-static inline size_t choice_sample_naive(const real *probability, size_t n, real u)
-{
-    real sum = 0;
-    for (size_t k = 0; k < n; k++) {
-        sum += probability[k];
-        if (u < sum) return k;
-    }
-    return n;
 }
 
 #endif

@@ -7,11 +7,8 @@
  *
  * One prime base for each dimension. Pairs of small primes are spread well after 2^a 3^b points; in
  * pairs of large ones, such as 47 and 53, the first points climb a few diagonals together (47 of
- * them before the first digit turns over).
- *
- *   call                         error
- *   radical_inverse              none but the last rounding: one division of whole numbers
- *   radical_inverse_naive        a rounding a digit; and in float it may return 1
+ * them before the first digit turns over). No error but the last rounding: one division of whole
+ * numbers.
  *
  * Sources: J. Halton, "On the efficiency of certain quasi-random sequences of points", Numer. Math.
  * 2, 1960.
@@ -27,13 +24,6 @@ static const uint8_t halton_base[halton_bases] = {2, 3, 5, 7, 11, 13, 17, 19,
                                                   23, 29, 31, 37, 41, 43, 47, 53};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline real radical_inverse_naive(uint32_t base, uint32_t i)
-{
-    real sum = 0, part = 1 / (real)base, digit = part;
-    for (; i > 0; i /= base, digit *= part) sum += (real)(i % base) * digit;
-    return sum;
-}
 
 static inline real radical_inverse(uint32_t base, uint32_t i)
 {

@@ -3,7 +3,6 @@
  *   sample                          where                      pdf (概率密度函数), and per what
  *   sample_disk(u, v)               unit disk, (x, y, 0)       pdf_disk      1 / pi         area
  *   sample_triangle(u, v)           barycentrics (b0,b1,b2)    pdf_triangle  1 / area of t  area
- *   sample_triangle_root(u, v)      the same                   the same
  *   sample_sphere(u, v)             all directions             pdf_sphere    1 / (4 pi)     1/sr
  *   sample_hemisphere(u, v)         z > 0                      1 / (2 pi)                   1/sr
  *   sample_cosine(u, v)             z > 0, more upwards        z / pi                       1/sr
@@ -86,13 +85,6 @@ static inline real pdf_disk(vec3 p)
 }
 
 /* ---- triangle ---- */
-
-/* The part of the triangle beyond b0 has the area (1 - b0)^2 of it = u; then along the parallel. */
-static inline vec3 sample_triangle_root(real u, real v)
-{
-    real s = sqrt(u);
-    return (vec3){1 - s, s * (1 - v), s * v};
-}
 
 /* Presses the square onto the half below its diagonal, along the other diagonal: halves the area
  * everywhere, and needs no root. b0 is what is left of 1: not negative, since the sum of the others

@@ -6,8 +6,7 @@
  *   --------p--------|wall
  *
  *   bool ambient_ray(s, u, reach, &r)      false: w is below the geometric surface: closed, and no
- *                                          ray is called for
- *   bool open = ambient_open(&t, s, u, reach)      one ray of kind RAY_SIGHT (18)
+ *                                          ray is called for; else one of kind RAY_SIGHT (18)
  *
  * 18 adds kd La everywhere, as if nothing were in the way: in a corner that is far too much. This
  * is the mend of its time; it is exact if the sky is La in all directions and all that hides it is
@@ -39,15 +38,6 @@ static inline bool ambient_ray(surface s, point2 u, real reach, ray *out)
     *out = leave(s, w);
     out->tmax = reach;
     return vdot(w, s.n) > 0;
-}
-
-static inline bool ambient_open(tracer *t, surface s, point2 u, real reach)
-{
-    ray r;
-    shade_lit answer = {false};
-    if (!ambient_ray(s, u, reach, &r)) return false;
-    trace(t, RAY_SIGHT, r, &answer);
-    return answer.lit;
 }
 
 #endif

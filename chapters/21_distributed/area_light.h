@@ -22,7 +22,6 @@
  *   bool area_light_reaches(&L, p, ng, ns, u, &x)           x.to: q; x.E: (21.2) as if V were 1
  *       false: behind the surface, behind the light, black: no ray is called for; x.E is 0
  *   bool area_light_has_size(&L)                            false: one ray says it all
- *   area_light_naive(&L, p, ng, ns, u, &x)                  x.E as of the centre: see below
  *   real area_light_area(&L), vec3 area_light_radiance(&L)  ball: pi r^2, as it is seen
  *
  * A ball is sampled by directions, uniformly in the cone under which it is seen: no sample falls on
@@ -123,21 +122,6 @@ static inline bool area_light_reaches(const area_light *L, vec3 p, vec3 ng, vec3
     if (!vfinite(E)) return false;
     out->E = E;
     return !vzero(L->colour);
-}
-
-/* The soft shadow as it is often made: the light of the centre, times the share of the shadow rays
- * that get through. Without occluders there is no noise, and E is wrong near a large light: below a
- * square of side 2 at height 1 it is 2.3 times what it should be. */
-static inline bool area_light_naive(const area_light *L, vec3 p, vec3 ng, vec3 ns, point2 u,
-                                    area_sample *out)
-{
-    area_light centre = *L;
-    area_sample x;
-    bool any = area_light_reaches(L, p, ng, ns, u, out);
-    centre.a = centre.b = (vec3){0, 0, 0}, centre.r = 0;
-    any = area_light_reaches(&centre, p, ng, ns, u, &x) && any;
-    out->E = any ? x.E : (vec3){0, 0, 0};
-    return any;
 }
 
 #endif

@@ -9,7 +9,6 @@
  *   ray r;
  *   if (glossy_ray(s, d, shine, u, &r)) .. ks * what r meets     s faces d; d: any length
  *       false: w leads below the surface; it sees nothing, and no ray is called for
- *   glossy_ray_naive(s, d, shine, u, &r)                         sends that ray into the body
  *
  * shine s >= 0 [1]: 0 is any direction on the side of r, 10 satin, 1000 nearly a mirror. Infinity
  * is a mirror: w = r, and u is not looked at. Half of the rays lie within acos(2^(-1/(s+1))) of r.
@@ -49,13 +48,6 @@ static inline vec3 glossy_direction(surface s, vec3 d, real shine, point2 u)
 {
     vec3 r = glossy_axis(s, d);
     return isinf(shine) ? r : directed(r, sample_lobe(shine, u.u, u.v));
-}
-
-/* Under a thin floor it sees the sky below: the floor shines in the dark. */
-static inline bool glossy_ray_naive(surface s, vec3 d, real shine, point2 u, ray *out)
-{
-    *out = leave(s, glossy_direction(s, d, shine, u));
-    return true;
 }
 
 /* A NaN is below. */
