@@ -98,7 +98,7 @@ planted() {
 left_out() {
     case $1 in
     "make test" | "make test REAL=float" | "make soak"* | "make precision" | "make hard-cases" | "make REAL=float" | \
-        "make run" | "make full" | "make costs" | "make notes" | "make coverage" | "make mutants"*)
+        "make run" | "make full" | "make costs" | "make notes" | "make coverage" | "make compilers" | "make mutants"*)
         echo "minutes: .ci/run or its own target" ;;
     "make showpiece" | *"--time 60"* | *"26_path_tracer --scene teapot --size 720x480 --samples 512"* | \
         *"27_effects/scenes/demo.scene --error 0.01"* | *"--samples 500 --size 2000x800"*)
