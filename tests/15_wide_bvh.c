@@ -231,7 +231,7 @@ static void invariants_of(const char *what, mesh m)
     check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block, "%s: bytes", what);
     check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh_node) + 2 * 8),
                    "%s: items, nodes of two and their picks are held at the same time", what);
-    for (uint32_t i = 0; i < w.blocks; i++) held -= bvh8_held(&w, i);
+    for (size_t i = 0; i < 8 * w.blocks; i++) held -= w.block[i / 8].index[i % 8] != no_shape;
     check_equal(held, 0, "%s: in all blocks together", what);
     for (how.threads = 2; how.threads < 8; how.threads += 3) {
         check(bvh8_build(&x, how, &again, &f), "%s: built by %d threads", what, how.threads);
@@ -599,6 +599,28 @@ static void test_options(void)
     mesh_free(&m);
 }
 
+/* With a byte less than it says it took, or with less than that, there is no tree, but a reason. */
+static void test_room(void)
+{
+    mesh m = octahedron_mesh(16);
+    items x = items_of_mesh(&m);
+    bvh8_options how = bvh8_defaults;
+    bvh8 w;
+    check(bvh8_build(&x, how, &w, NULL), "built");
+    size_t peak = bvh8_stats(&w).peak, built = 0, odd = 0;
+    bvh8_free(&w);
+    for (how.most_bytes = 0; how.most_bytes < peak; how.most_bytes += peak / 50) {
+        failure f = {0};
+        built += bvh8_build(&x, how, &w, &f), odd += f.exit_code != 1 || w.node || w.block;
+        bvh8_free(&w);
+    }
+    how.most_bytes = peak - 1;
+    built += bvh8_build(&x, how, &w, NULL), how.most_bytes++;
+    check_equal(built + odd, 0, "with less than the peak: refused, and why");
+    check(bvh8_build(&x, how, &w, NULL), "with the peak: built");
+    bvh8_free(&w), mesh_free(&m);
+}
+
 /* Half a tree is none, whichever step Ctrl-C meets: 1, boxes; 2, binary tree; 3, blocks; 4, after
  * all of them. */
 static void test_interrupted(void)
@@ -625,6 +647,7 @@ static void test_interrupted(void)
 int main(void)
 {
     test_options();
+    test_room();
     test_interrupted();
     test_structures();
     test_corners();

@@ -187,7 +187,7 @@ static bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 }
 
 /* The second half of the test, for the few triangles that pass the first: distance and interval. In
- * space the triangle has area: shear_distance asks that, too. */
+ * space the triangle has area: triangle_hit_corners asks that, too. */
 fast_inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s, ray r, hit *out)
 {
     real det = e.x + e.y + e.z, size = fabs(det);
@@ -207,16 +207,6 @@ fast_inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s,
     return true;
 }
 
-static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *corner[3],
-                                  const ray_shear *s, ray r, hit *out)
-{
-    hit h;
-    if (!shear_meets(a, b, c, e, s, r, &h)) return false;
-    if (vzero(triangle_cross(*corner[0], *corner[1], *corner[2]))) return false;
-    *out = h;
-    return true;
-}
-
 /* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all
  * three edges. Edge a b has the function ax by - ay bx (4.10): twice the area of (0,0) a b.
  *
@@ -232,14 +222,21 @@ static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *co
  * sealed with triangles of three different corners on a line can leak at these, and only there.
  */
 __attribute__((always_inline))  /* a call would copy the ray, and take twice as long */
+static inline bool shear_passes(vec3 a, vec3 b, vec3 c, const ray_shear *s, ray r, hit *out)
+{
+    vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
+    return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, c, e, s, r, out);
+}
+
+__attribute__((always_inline))
 static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
                                         const ray_shear *s, ray r, hit *out)
 {
     vec3 a = shear_corner(pa, s), b = shear_corner(pb, s), c = shear_corner(pc, s);
-    vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
-    if (signs_differ(e.x, e.y, e.z)) return false;
-    const vec3 *corner[3] = {pa, pb, pc};
-    return shear_distance(a, b, c, e, corner, s, r, out);
+    hit h;
+    if (!shear_passes(a, b, c, s, r, &h) || vzero(triangle_cross(*pa, *pb, *pc))) return false;
+    *out = h;
+    return true;
 }
 
 static inline bool triangle_hit_sheared(triangle tri, const ray_shear *s, ray r, hit *out)

@@ -15,7 +15,8 @@
  *                                       any: h is not touched; w: NULL if nobody counts. Where it
  *                                       is always_inline, each of the four is a search of its own
  *   double structure_room(n)            where cuts part nothing: see there
- *   memory_room(&m, &p, used, n, &room, size), memory_fit(..)   for arrays of those who build
+ *   memory_room(&m, &p, used, n, &room, size), memory_fit(..), memory_array(&m, n, size)
+ *                                       for arrays of those who build
  *
  * x: what it holds; items.h.
  *
@@ -110,6 +111,13 @@ static inline bool memory_room(memory *m, void *p, size_t used, size_t n, size_t
 {
     size_t more = *room + *room / 2;
     return n <= *room || memory_fit(m, p, used, n > more ? n : more, room, size);
+}
+
+/* A new array; NULL: no room. */
+static inline void *memory_array(memory *m, size_t n, size_t size)
+{
+    void *p = NULL;
+    return memory_fit(m, &p, 0, n, &(size_t){0}, size) ? p : NULL;
 }
 
 static inline void memory_drop(memory *m, void *p, size_t room, size_t size)

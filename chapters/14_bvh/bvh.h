@@ -65,10 +65,8 @@ static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure 
 {
     *out = (bvh){.x = *x};
     if (x->m) return bvh_mesh_build(x->m, how, &out->mesh, f);
-    memory own = {.most = how.most_bytes};
-    bvh_item *item = NULL;
-    if (!memory_fit(&own, &item, 0, x->n, &(size_t){0}, sizeof *item))
-        return failed(f, 1, "BVH: no memory for %zu items", x->n);
+    bvh_item *item = memory_array(&(memory){.most = how.most_bytes}, x->n, sizeof *item);
+    if (!item) return failed(f, 1, "BVH: no memory for %zu items", x->n);
     bool built = bvh_take_shapes(how, item, out, f);
     free(item);
     if (!built) bvh_free(out);

@@ -100,9 +100,8 @@ static inline bool bvh_mesh_build(const mesh *m, bvh_options how, bvh_mesh *out,
     bvh_input in = {.clip = triangle_clip, .context = m};
     *out = (bvh_mesh){.triangle = NULL};
     in.room = rule && rule->through ? bvh_most_cuts * m->triangles : m->triangles;
-    memory own = {.most = how.most_bytes};
-    if (!memory_fit(&own, &in.item, 0, in.room, &(size_t){0}, sizeof *in.item))
-        return failed(f, 1, "BVH: no memory for %zu items", in.room);
+    in.item = memory_array(&(memory){.most = how.most_bytes}, in.room, sizeof *in.item);
+    if (!in.item) return failed(f, 1, "BVH: no memory for %zu items", in.room);
     bool built = bvh_mesh_take(m, how, &in, out, f);
     free(in.item);
     if (!built) bvh_mesh_free(out);

@@ -1,11 +1,10 @@
 /* build.h: the wide tree, from a binary one (合并, collapse).
  *
- *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: f says why: coordinates too large, too
- *                                                   many items, options out of range, Ctrl-C
+ *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: too large, too many, no room, Ctrl-C
  *
  *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
- *   2. A binary tree by the builder of 14, from the root down, by surface area in bins; but a leaf
- *      costs as many tests as it has blocks: a cut into L and R,
+ *   2. A binary tree, by the builder of 14; but a leaf costs as many tests as it has blocks: a cut
+ *      into L and R,
  *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)                                  (15.4)
  *      The children of a cut between items p - 1 and p are nodes 2 p and 2 p + 1: a place that
  *      depends on the items alone, so the tree is the same for any number of threads. Large sets
@@ -30,7 +29,7 @@ typedef struct {
     int width;
     bvh_item *item;       /* [n] */
     bvh_node *node;       /* [2 n] as in 14 */
-    uint8_t (*pick)[8];     /* [2 n] (15.5): best k for j places at j - 1; 0: C(s, j - 1) */
+    uint8_t (*pick)[8];   /* [2 n] (15.5): best k for j places at j - 1; 0: C(s, j - 1) */
     uint32_t *leaves;     /* [blocks] which becomes that block */
     size_t n;
 } bvh8_builder;
@@ -57,18 +56,16 @@ static inline void bvh8_items_job(size_t piece, void *context)
 static inline void bvh8_grow_job(size_t i, void *context)
 {
     tree_builder own = *(const tree_builder *)context;
-    bvh_tree tree = *own.tree;
-    own.tree = &tree, own.aside = 0;
+    own.tree = &(bvh_tree){.node = own.tree->node}, own.aside = 0;
     tree_node(&own, own.job[i]);
 }
 
 /* Step 2. False: stopped. Near the root, on three levels, size counts. */
 static inline bool bvh8_grow(const bvh8_builder *b, int leaf, int threads)
 {
-    static const bvh_rule blocks = {.name = "blocks", .split = split_binned};
-    bvh_tree tree = {.node = b->node};
-    tree_builder t = {.tree = &tree, .rule = &blocks, .item = b->item, .options = {.leaf = leaf},
-                      .split = {.block = 3, .by_size = 3}, .apart = true,
+    tree_builder t = {.tree = &(bvh_tree){.node = b->node},
+                      .rule = &(bvh_rule){.split = split_binned}, .options = {.leaf = leaf},
+                      .item = b->item, .split = {.block = 3, .by_size = 3}, .apart = true,
                       .aside = b->n / 32 > 1024 ? b->n / 32 : 1024,
                       .job = allocate(b->n, sizeof *t.job)};
     tree_node(&t, (tree_job){0, 0, b->n, 0});
@@ -83,7 +80,7 @@ static inline bool bvh8_grow(const bvh8_builder *b, int leaf, int threads)
 static inline bvh8_costs bvh8_price(const bvh8_builder *b, uint32_t at)
 {
     const bvh_node *s = &b->node[at];
-    uint8_t *pick = b->pick[at];
+    uint8_t *pick = memset(b->pick[at], 0, sizeof *b->pick);
     bvh8_costs c = {{0}};
     if (s->count) return c;
     bvh8_costs l = bvh8_price(b, s->first), r = bvh8_price(b, s->first + 1);
@@ -159,8 +156,6 @@ static inline void bvh8_fill_job(size_t piece, void *context)
     }
 }
 
-/* ---------------------------------------------------------------------------------------------- */
-
 /* Are all corners of a mesh floats in the tree's frame? */
 static inline bool bvh8_is_exact(const bvh8 *w)
 {
@@ -172,54 +167,53 @@ static inline bool bvh8_is_exact(const bvh8 *w)
     return w->x.m;
 }
 
-static inline void *bvh8_room(size_t n, size_t size)
-{
-    void *p = aligned_alloc(64, (n * size / 64 + 1) * 64);
-    if (!p) die(1, "no memory for %zu times %zu bytes", n, size);
-    return p;
-}
-
 static inline void bvh8_free(bvh8 *w)
 {
     free(w->node), free(w->block);
     *w = (bvh8){.nodes = 0};
 }
 
+/* Steps 2 to 4, of the items found. False: stopped, or no room. */
+static inline bool bvh8_make(bvh8_builder *b, int leaf, int threads)
+{
+    bvh8 *w = b->w;
+    b->node = memory_array(&w->room, 2 * b->n, sizeof *b->node);
+    b->pick = memory_array(&w->room, 2 * b->n, sizeof *b->pick);
+    if (w->room.full || !bvh8_grow(b, leaf, threads)) return false;
+    bvh8_price(b, 0);
+    bvh8_emit(b, 0, 1);
+    w->node = memory_array(&w->room, w->nodes, sizeof *w->node);
+    if (w->x.m) w->block = memory_array(&w->room, w->blocks, sizeof *w->block);
+    b->leaves = memory_array(&w->room, w->blocks, sizeof *b->leaves);
+    if (w->room.full) return false;
+    w->nodes = w->blocks = 0;
+    bvh8_emit(b, 0, 1);
+    return parallel_for((w->blocks + 255) / 256, threads, "blocks", bvh8_fill_job, b);
+}
+
 static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure *f)
 {
     aabb all;
-    *w = (bvh8){.x = *x, .dialect = how.dialect};
+    *w = (bvh8){.x = *x, .dialect = how.dialect, .room = {.most = how.most_bytes}};
     if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8)
         return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8", how.leaf, how.width);
     if (!items_all_bounds(x, &all, f)) return false;
     if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
-    bvh8_builder b = {.w = w, .width = how.width};
-    size_t each = sizeof *b.item + 2 * sizeof *b.node + 2 * sizeof *b.pick;
-    if (x->n * (each + 64) > how.most_bytes)
-        return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
     w->frame = frame_of(all, 8, 0), w->exact = bvh8_is_exact(w);
-    b.item = bvh8_room(x->n, sizeof *b.item);
-    bool whole = parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
+    bvh8_builder b = {.w = w, .width = how.width};
+    b.item = memory_array(&w->room, x->n, sizeof *b.item);
+    bool whole = b.item
+        && parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
     for (size_t i = 0; whole && i < x->n; i++)
         if (b.item[i].index != no_shape) b.item[b.n++] = b.item[i];
-    w->held = b.n;
-    b.node = bvh8_room(2 * b.n, sizeof *b.node), b.pick = allocate(2 * b.n, sizeof *b.pick);
-    whole = whole && (!b.n || bvh8_grow(&b, x->m ? how.leaf : 1, how.threads));
-    if (b.n && whole) {
-        bvh8_price(&b, 0);
-        bvh8_emit(&b, 0, 1);
-        w->node = bvh8_room(w->nodes, sizeof *w->node);
-        if (x->m) w->block = bvh8_room(w->blocks, sizeof *w->block);
-        w->bytes = w->nodes * sizeof *w->node + (x->m ? w->blocks * sizeof *w->block : 0);
-        b.leaves = allocate(w->blocks, sizeof *b.leaves);
-        w->nodes = w->blocks = 0;
-        bvh8_emit(&b, 0, 1);
-        whole = parallel_for((w->blocks + 255) / 256, how.threads, "blocks", bvh8_fill_job, &b);
-    }
-    w->peak = w->bytes + b.n * each;
+    whole = whole && (!b.n || bvh8_make(&b, x->m ? how.leaf : 1, how.threads));
     free(b.item), free(b.node), free(b.pick), free(b.leaves);
+    w->held = b.n;
+    w->room.bytes = w->nodes * sizeof *w->node + (x->m ? w->blocks * sizeof *w->block : 0);
     if (whole) return true;
+    bool full = w->room.full;
     bvh8_free(w);
+    if (full) return failed(f, 1, "no memory for %zu items in %zu bytes", x->n, how.most_bytes);
     return failed(f, parallel_stopped(), "stopped");
 }
 

@@ -1,5 +1,4 @@
-/* bvh8.h: the bounding volume hierarchy, eight wide (八叉 BVH): eight boxes, or eight triangles, at
- * once.
+/* bvh8.h: the bounding volume hierarchy, eight wide (八叉 BVH): eight boxes, or triangles, at once.
  *
  *        node                block               bvh8 w;
  *   low  x x x x x x x x   ax a a a a a a a a    bvh8_build(&x, bvh8_defaults, &w, &f)
@@ -10,11 +9,9 @@
  *   child 8 numbers        8 numbers             bvh8_free(&w)           a zeroed one may be freed
  *
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
- *   bvh8_ask(&w, r, skip, &h, &work)     any of these four: h NULL, is there any? work NULL, not
- *                                        counted. Sooner, where the caller knows items that r
- *                                        can't hit: bvh8_skip, tree8.h
- *   bvh8_ask_at(&w, &r, skip, &h, &work) the same, where r lies in memory and was not written just
- *                                        now: ray8.h says why
+ *   bvh8_ask(&w, r, skip, &h, &work)     the four in one (h NULL: any hit; work NULL: not counted),
+ *                                        sooner where the caller knows what r can't hit: tree8.h
+ *   bvh8_ask_at(&w, &r, skip, &h, &work) of a ray in memory, not written just now: ray8.h says why
  *
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
@@ -68,7 +65,7 @@ static inline structure_stats bvh8_stats(const bvh8 *w)
 {
     return (structure_stats){.inner = w->nodes, .leaves = w->block ? w->blocks : w->held,
                              .references = w->held, .items = w->held, .depth = w->depth,
-                             .bytes = w->bytes, .peak = w->peak};
+                             .bytes = w->room.bytes, .peak = w->room.peak};
 }
 
 #endif

@@ -46,8 +46,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-#define bvh8_row(rows, offset) (*(const eight *)((const char *)(rows) + (offset)))
-
 /* t in the frame, rather too large: rounded once, twice in float, and this product. In double: in
  * float the scale of a small tree may overflow. A far origin was moved by `shift`. */
 static inline float bvh8_limit(const bvh8_ray *q, real t)
@@ -144,17 +142,18 @@ static inline const ray_shear *bvh8_shear(bvh8_ray *q)
     return &q->shear;
 }
 
-static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
+static inline bool bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 {
     h.shape = i;
-    if (!hit_before(h, q->best)) return;
+    if (!hit_before(h, q->best)) return true;
     q->best = (hit){h.t, h.u, h.v, i}, q->tmax = h.t, q->limit = bvh8_limit(q, h.t);
+    return true;
 }
 
 /* How often this thread asked in `real`: for whoever wants to count. */
 static _Thread_local size_t bvh8_asked;
 
-/* True: there is a hit. Building asked for the area, so the second half of 04's test needn't. */
+/* True: there is a hit. Building asked for the area, so 04's test of a ray needn't. */
 __attribute__((noinline))
 static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
 {
@@ -169,25 +168,20 @@ static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
             if (w->exact) own = frame_back(&w->frame, vec(c[0], c[8], c[16]));
             p[k] = shear_corner(w->exact ? &own : &w->x.m->v[w->x.m->index[3 * i + k]], s);
         }
-        vec3 a = p[0], b = p[1], g = p[2];
-        vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
         hit h;
         bvh8_asked++;
-        if (!signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, bvh8_rest(q), &h))
-            bvh8_keep(q, h, (uint32_t)i);
+        if (shear_passes(p[0], p[1], p[2], s, bvh8_rest(q), &h)) bvh8_keep(q, h, (uint32_t)i);
     }
     q->doubts = 0;
     return q->best.shape != no_shape;
 }
 
-/* Of a shape: true if it is hit. flatten: the test in here, or shape and ray are copied to hand
- * them over. */
+/* flatten: the test of the shape in here, or shape and ray are copied to hand them over. */
 __attribute__((noinline, flatten))
 static bool bvh8_sheared(const shape *x, uint32_t i, bvh8_ray *q)
 {
     hit h;
-    if (!shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h)) return false;
-    return bvh8_keep(q, h, i), true;
+    return shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h) && bvh8_keep(q, h, i);
 }
 
 /* Most spheres are clear, and the test of these alone needs hardly a stack. */
@@ -196,9 +190,8 @@ static bool bvh8_sphere(const shape *x, uint32_t i, bvh8_ray *q)
 {
     hit h;
     sphere_answer answer = sphere_hit_if_clear(x->sphere, bvh8_rest(q), &h);
-    if (answer == SPHERE_MISS) return false;
     if (answer == SPHERE_DOUBT) return bvh8_sheared(x, i, q);
-    return bvh8_keep(q, h, i), true;
+    return answer == SPHERE_HIT && bvh8_keep(q, h, i);
 }
 
 eight_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)

@@ -1,9 +1,7 @@
-/* tree8.h: nodes and blocks as they lie in memory: rows of eight (structure of arrays).
+/* tree8.h: nodes and blocks as they lie in memory: rows of eight (structure of arrays), as bvh8.h
+ * draws them.
  *
- *   bvh8_node     six rows: the low x of eight boxes, their low y, ...; and eight children
- *   bvh8_block    nine rows: x, y, z of eight corners a, of b, of c; and eight triangles
- *
- * Their coordinates are those of w.frame (09), at most 1. Where all corners are floats in it,
+ * Coordinates are those of w.frame (09), at most 1. Where all corners are floats in it,
  * w.exact, nobody needs the mesh any more.
  *
  * A child is the number of a node, or with bvh8_leaf that of a block, or of a shape that is no
@@ -22,7 +20,7 @@
 enum { bvh8_stack = 64 * 8 };  /* all but one a level wait, and no tree is deeper */
 
 typedef struct { float side[6][8]; uint32_t child[8]; } __attribute__((aligned(64))) bvh8_node;
-typedef struct { eight corner[9]; uint32_t index[8]; } __attribute__((aligned(64))) bvh8_block;
+typedef struct { eight corner[9]; eight_count index; } __attribute__((aligned(64))) bvh8_block;
 
 typedef struct {
     int leaf, width, threads;
@@ -42,22 +40,12 @@ typedef struct {
     size_t nodes, blocks;
     size_t held;          /* items in them */
     int depth;            /* of the deepest node; the root: 1 */
-    size_t bytes, peak;   /* held now; the most while it was built */
+    memory room;          /* of both, and while it was built */
 } bvh8;
 
 /* Items that the caller knows this ray can't hit: the one it starts on (18.10), and first to last,
  * the lamp at its end. Float would be in doubt about such triangles, and ask each in `real`. */
 typedef struct { uint32_t from, first, last; } bvh8_skip;
 #define bvh8_skip_none ((bvh8_skip){no_shape, no_shape, no_shape})
-
-/* ---------------------------------------------------------------------------------------------- */
-
-/* How many items are in leaf i. */
-static inline size_t bvh8_held(const bvh8 *w, uint32_t i)
-{
-    size_t n = !w->block;
-    for (int k = 0; w->block && k < 8; k++) n += w->block[i].index[k] != no_shape;
-    return n;
-}
 
 #endif

@@ -17,8 +17,8 @@ EIGHT_INLINE eight_set EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, 
     EIGHT_UNROLL
     for (int k = 0; k < 3; k++) {
         eight i = EIGHT_ALL(q->inverse[k]);
-        near[k] = EIGHT_FMA(bvh8_row(n->side, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
-        far[k] = EIGHT_FMA(bvh8_row(n->side, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
+        near[k] = EIGHT_FMA(EIGHT_ROW(n->side, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
+        far[k] = EIGHT_FMA(EIGHT_ROW(n->side, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
     }
     eight begin = EIGHT_MAX(near[2], EIGHT_ALL(q->tmin));
     eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
@@ -35,9 +35,9 @@ EIGHT_INLINE void EIGHT(bvh8_look)(const bvh8_block *b, const bvh8_ray *q, EIGHT
     EIGHT_UNROLL
     for (int i = 0; i < 3; i++) {
         const eight *c = b->corner + 3 * i;
-        v->z[i] = bvh8_row(c, q->kz);
-        v->x[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sx), bvh8_row(c, q->kx)) - q->cx;
-        v->y[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sy), bvh8_row(c, q->ky)) - q->cy;
+        v->z[i] = EIGHT_ROW(c, q->kz);
+        v->x[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sx), EIGHT_ROW(c, q->kx)) - q->cx;
+        v->y[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sy), EIGHT_ROW(c, q->ky)) - q->cy;
     }
     EIGHT_UNROLL
     for (int i = 0; i < 3; i++) {
@@ -57,7 +57,7 @@ EIGHT_INLINE bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
     /* Empty places, and what the caller leaves out. */
-    eight_whole i = *(const eight_whole *)b->index, out;
+    eight_whole i = (eight_whole)b->index, out;
     out = (i == (int32_t)q->skip->from) | i >> 31;
     out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
     eight_whole maybe = ~out & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
@@ -124,7 +124,10 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
             if (mask & (mask - 1)) at = EIGHT(bvh8_push)(n, mask, &enter, &top);
         }
         at &= ~bvh8_leaf;
-        if (work) work->leaves++, work->tests += bvh8_held(w, at);
+        if (work) {
+            eight_set held = w->block ? EIGHT_BITS(w->block[at].index != no_shape) : 1;
+            work->leaves++, work->tests += EIGHT_COUNT(held);
+        }
         if (w->block ? EIGHT(bvh8_triangles)(w, &w->block[at], q, any)
                      : bvh8_shape(w, at, q) && any) return true;
     next:

@@ -14,11 +14,12 @@
  *   EIGHT_LE_BITS(a, b): both                    seven         two; one
  *
  * An eight_set has a bit a lane, EIGHT_STEP apart: in plain C one in each byte. EIGHT_FIRST(set):
- * its lowest lane. What is written with these is compiled in each dialect by dialects.h: there
- * EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where
- * the machine has its instructions; EIGHT_CALL(dialect, name, ..) calls one of the three. Plain C
- * compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and up).
- * A lane that is NaN: MIN and MAX give b, LE none.
+ * its lowest lane; EIGHT_COUNT(set): how many. EIGHT_ROW(p, n): the eight floats n bytes on.
+ * What is written with these is compiled in each dialect by dialects.h: there EIGHT(name) is name_0
+ * in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where the machine has its
+ * instructions; EIGHT_CALL(dialect, name, ..) calls one of the three. Plain C compiles for every
+ * processor, and is quick where registers hold eight floats (x86-64-v3 and up). A lane that is NaN:
+ * MIN and MAX give b, LE none.
  */
 #ifndef EIGHT_H
 #define EIGHT_H
@@ -66,6 +67,8 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 #define EIGHT_FIRST(set) (__builtin_ctzll(set) / EIGHT_STEP)
 #define EIGHT_ABS(a) \
     EIGHT_SAY(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a), (eight)((eight_whole)(a) & INT32_MAX))
+#define EIGHT_COUNT(set) ((size_t)__builtin_popcountll(set))
+#define EIGHT_ROW(rows, bytes) (*(const eight *)((const char *)(rows) + (bytes)))
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
 #define EIGHT_LOOP(name, ...) name((const eight[]){__VA_ARGS__})
 #define EIGHT_UNROLL _Pragma("GCC unroll 3")

@@ -59,8 +59,8 @@ enum { bvh_most_cuts = 8 };  /* references an item, on average, where items are 
 /* All zero, padding, too; for memory_drop(&t.held, p, n, size). NULL: no room. */
 static inline void *tree_array(bvh_tree *t, size_t n, size_t size)
 {
-    void *p = NULL;
-    return memory_fit(&t->held, &p, 0, n, &(size_t){0}, size) ? memset(p, 0, n * size) : NULL;
+    void *p = memory_array(&t->held, n, size);
+    return p ? memset(p, 0, n * size) : NULL;
 }
 
 static inline void tree_free(bvh_tree *t)

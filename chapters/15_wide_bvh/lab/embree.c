@@ -190,7 +190,7 @@ static void build_both(const char *name, mesh *m, int rounds, table *searches, t
     double mine = clock_median(ours, rounds < 5 ? rounds : 5);
     double its = clock_median(theirs, rounds < 5 ? rounds : 5);
     table_text(builds, "%s", name), table_count(builds, m->triangles);
-    table_number(builds, (double)w.bytes / (double)m->triangles);
+    table_number(builds, (double)w.room.bytes / (double)m->triangles);
     table_number(builds, (double)bytes / (double)m->triangles);
     table_number(builds, mine * 1e3), table_number(builds, its * 1e3);
     table_text(builds, "%.2f", mine / its);

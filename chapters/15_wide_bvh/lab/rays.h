@@ -38,7 +38,7 @@ static inline void search_file(const options *o, const items *x, const char *nam
                         "scene|structure|kind|rays|hits|build_s|bytes|ns_per_ray");
     table_text(&t, "%s", name), table_text(&t, "bvh8"), table_text(&t, any ? "any" : "closest");
     table_count(&t, n), table_count(&t, hits), table_text(&t, "%.6f", built);
-    table_count(&t, w.bytes), table_number(&t, clock_median(seconds, 7) * 1e9 / (double)n);
+    table_count(&t, w.room.bytes), table_number(&t, clock_median(seconds, 7) * 1e9 / (double)n);
     output_table(o, &t);
     if (hits_path && !hits_write(hits_path, h, n, any, &f)) fail(f);
     bvh8_free(&w);
