@@ -1,6 +1,6 @@
 /* BSP trees: the answers of brute force by every rule, for every ray; sides of planes against twice
  * the precision; areas of cells; limits; and the naive variants, which must go on failing. */
-#include "../chapters/13_bsp/bsp.h"
+#include "../chapters/13_bsp/lab/naive.h"
 #include "structure.h"
 
 static const char *const rule_name[bsp_rules] = {"random", "fewest", "axis", "own", "cost"};

@@ -35,8 +35,7 @@
  * Parallel rays begin in the plane of e. What lies behind that plane is not seen, though such a
  * view has no eye to be behind of: r.tmin = -real_infinity sees it.
  *
- * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, sections
- * 4.1 to 4.3.
+ * Source: Marschner, Shirley 2015 (see frame.h), sections 4.1 to 4.3.
  */
 #ifndef CAMERA_H
 #define CAMERA_H

@@ -34,8 +34,7 @@
  *
  * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1),
  * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013;
- * J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
- * Discrete & Computational Geometry 18, 1997.
+ * Shewchuk 1997 (see 03, sphere.h).
  */
 #ifndef TRIANGLE_H
 #define TRIANGLE_H
@@ -220,17 +219,16 @@ fast_inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s,
  *
  * What has no area in space is refused last. Its image may have some, by rounding: a mesh that is
  * sealed with triangles of three different corners on a line can leak at these, and only there.
+ * (Inlined: a call would copy the ray, and take twice as long.)
  */
-__attribute__((always_inline))  /* a call would copy the ray, and take twice as long */
-static inline bool shear_passes(vec3 a, vec3 b, vec3 c, const ray_shear *s, ray r, hit *out)
+fast_inline bool shear_passes(vec3 a, vec3 b, vec3 c, const ray_shear *s, ray r, hit *out)
 {
     vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
     return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, c, e, s, r, out);
 }
 
-__attribute__((always_inline))
-static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
-                                        const ray_shear *s, ray r, hit *out)
+fast_inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
+                                      const ray_shear *s, ray r, hit *out)
 {
     vec3 a = shear_corner(pa, s), b = shear_corner(pb, s), c = shear_corner(pc, s);
     hit h;

@@ -6,7 +6,7 @@
  *
  *   interval X = interval_of(lo, hi);             interval_at(x) is [x, x]
  *   interval_add, _sub, _mul, _div (X, Y)        interval_neg, _square, _sqrt, _sin, _cos, _abs (X)
- *   interval_min, _max (X, Y)                     interval_scale(X, s)
+ *   interval_min(X, Y)                            interval_scale(X, s)
  *   interval_hull(X, Y)                           the smallest that holds both
  *   interval_meet(X, Y)                           what both hold; may be empty
  *   interval_has(X, x), interval_is_empty(X), interval_is_bounded(X), interval_width(X)

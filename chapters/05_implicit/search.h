@@ -27,10 +27,9 @@
  *   f not finite, or NaN, there  no surface there
  *   more than 100 000 pieces     what is left counts as one hit that is not proven
  *
- * Sources: R. Moore, "Interval Analysis", 1966; E. Hansen, "A globally convergent interval method",
- * BIT 18, 1978; D. Mitchell, "Robust ray intersection with interval arithmetic", Graphics Interface
- * 1990; P. Hanrahan, "A survey of ray-surface intersection algorithms", in A. Glassner (ed.), "An
- * Introduction to Ray Tracing", 1989, chapter 3.
+ * Sources: Moore 1966 (see interval.h); Mitchell 1990 (see jet.h); E. Hansen, "A globally
+ * convergent interval method", BIT 18, 1978; P. Hanrahan, "A survey of ray-surface intersection
+ * algorithms", in A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, chapter 3.
  */
 #ifndef IMPLICIT_SEARCH_H
 #define IMPLICIT_SEARCH_H

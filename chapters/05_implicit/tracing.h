@@ -19,8 +19,7 @@
  * t comes out before the surface, by eps / cos at least where the ray meets it at an angle; in
  * exact numbers it never lies beyond. f and the sums round: at eps near epsilon |f| is noise.
  *
- * Source: J. Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
- * surfaces", The Visual Computer 12, 1996.
+ * Source: Hart 1996 (see surface.h).
  */
 #ifndef IMPLICIT_TRACING_H
 #define IMPLICIT_TRACING_H

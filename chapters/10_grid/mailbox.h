@@ -12,9 +12,8 @@
  *                                                *end; true if one was closer than the best so far
  *                                                (any: was hit). on: false asks all of them
  *
- * Sources: J. Amanatides, A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics
- * 1987, section 3; C. Benthin, "Realtime Ray Tracing on Current CPU Architectures", PhD thesis,
- * Saarland University, 2006 (a hashed table of one ray).
+ * Sources: Amanatides, Woo 1987 (see walk.h), section 3; C. Benthin, "Realtime Ray Tracing on
+ * Current CPU Architectures", PhD thesis, Saarland University, 2006 (a hashed table of one ray).
  */
 #ifndef MAILBOX_H
 #define MAILBOX_H

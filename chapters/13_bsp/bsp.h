@@ -4,8 +4,6 @@
  *   bsp b;
  *   bool bsp_build(&x, bsp_defaults, &b, &f)     its mesh or scene must outlive the tree
  *   bool bsp_hit(&b, r, &h), ..                  the verbs of structure.h (09)
- *   bsp_hit_naive(&b, r, &h)                     planes without padding: loses hits
- *   bsp_hit_first(&b, r, &h)                     the first leaf's hit as final: wrong hits
  *
  * `how` and the naive ways to build: tree.h.
  *
@@ -123,19 +121,5 @@ fast_inline bool bsp_search(const bsp *b, ray r, bool any, hit *out, search_work
 }
 
 STRUCTURE_VERBS(bsp)
-
-/* Dyadic faces, corners and rays (tests): t of the plane and of the hit on it are equal, or a hair
- * apart, and the side that has the item is left before the hit. */
-static inline bool bsp_hit_naive(const bsp *b, ray r, hit *out)
-{
-    return bsp_walk(b, r, 0, false, false, out, NULL);
-}
-
-/* A large triangle that is named by the first leaf and hit behind it, beyond a small one that
- * only the second leaf names. */
-static inline bool bsp_hit_first(const bsp *b, ray r, hit *out)
-{
-    return bsp_walk(b, r, 2, false, true, out, NULL);
-}
 
 #endif

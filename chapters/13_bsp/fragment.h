@@ -7,9 +7,8 @@
  *   bool fragment_plane(&w, &f, edge, &p)   its own plane (edge = 3) or one through an edge [0..2]
  *
  *   a triangle         a convex polygon, cut as the cells are cut
- *   any other shape    cannot be cut: its box, cut by planes across the axes, and the range of s
- *                      over the whole shape. It may be named by cells that only its hull touches:
- *                      that costs time, no more.
+ *   any other shape    cannot be cut: its box, cut by planes across the axes. It may be named by
+ *                      cells that only its box touches: that costs time, no more.
  *
  * Coordinates: q = (p - middle) / scale, the middle of all and a power of two: |q_k| <= size <= 1.
  */
@@ -85,51 +84,6 @@ static inline bool fragment_of(workshop *w, uint32_t i, fragment *out)
     return true;
 }
 
-static inline void range_add(real s, real reach, real *lo, real *hi)
-{
-    *lo = real_min(s - reach, *lo), *hi = real_max(s + reach, *hi);
-}
-
-/* A disk about `axis` with radius r reaches r sin(axis, n) along n; of a needle of a cone, all. */
-static inline real disk_along(vec3 axis, vec3 n, real r)
-{
-    vec3 u = vunit(axis);
-    return fabs(r) * (vzero(u) ? 1 : real_min(vlength(vcross(u, n)), 1));
-}
-
-static inline void shape_range(const workshop *w, const split_plane *p, const shape *h, real *lo,
-                               real *hi)
-{
-    real k = 1 / w->scale;
-    *lo = real_infinity, *hi = -real_infinity;
-    switch (h->kind) {
-    case SHAPE_SPHERE:
-        range_add(side_of(p, workshop_place(w, h->sphere.c)), fabs(h->sphere.r) * k, lo, hi);
-        break;
-    case SHAPE_CONE: {
-        vec3 axis = vsub(h->cone.b, h->cone.a);
-        range_add(side_of(p, workshop_place(w, h->cone.a)), disk_along(axis, p->n, h->cone.ra) * k,
-                  lo, hi);
-        range_add(side_of(p, workshop_place(w, h->cone.b)), disk_along(axis, p->n, h->cone.rb) * k,
-                  lo, hi);
-        break;
-    }
-    case SHAPE_POLYGON:
-        for (uint32_t i = 0; i < h->polygon.n; i++)
-            range_add(side_of(p, workshop_place(w, h->polygon.v[i])), 0, lo, hi);
-        break;
-    case SHAPE_OTHER:
-        for (int i = 0; i < 8; i++) {  /* the corners of its box */
-            vec3 a = h->other->lo, b = h->other->hi;
-            vec3 q = {i & 1 ? a.x : b.x, i & 2 ? a.y : b.y, i & 4 ? a.z : b.z};
-            range_add(side_of(p, workshop_place(w, q)), 0, lo, hi);
-        }
-        break;
-    case SHAPE_TRIANGLE: break;
-    }
-}
-
-/* A slanted plane sees the shape or its box, whichever reaches less far. */
 static inline void fragment_range(const workshop *w, const split_plane *p, const fragment *f,
                                   real *lo, real *hi)
 {
@@ -139,11 +93,8 @@ static inline void fragment_range(const workshop *w, const split_plane *p, const
         return;
     }
     vec3 half = vscale(vsub(q[1], q[0]), 0.5);
-    real s = side_of(p, vadd(q[0], half)), a, b;
-    real reach = fabs(p->n.x) * half.x + fabs(p->n.y) * half.y + fabs(p->n.z) * half.z;
-    shape_range(w, p, &w->x->s->shapes[f->item], &a, &b);
-    *lo = real_max(a, s - reach), *hi = real_min(b, s + reach);
-    if (*lo > *hi) *lo = s - reach, *hi = s + reach;  /* by rounding alone */
+    real s = side_of(p, vadd(q[0], half)), reach = vdot(vabs(p->n), half);
+    *lo = s - reach, *hi = s + reach;
 }
 
 static inline plane_side fragment_side(const workshop *w, const split_plane *p, const fragment *f)

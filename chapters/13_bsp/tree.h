@@ -140,8 +140,7 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
     double n = (double)(all.end - all.begin);
     plane_choice x;
     if (!bsp_fits(b)) return;
-    if (depth >= b->c.how.depth
-        || structure_is_full(&b->tree->stats, 2 * n, room)
+    if (depth >= b->c.how.depth || structure_is_full(&b->tree->stats, 2 * n, room)
         || !choose_plane(&b->c, all, c, &x)) {
         bsp_make_leaf(b, at, all, depth);
         return;

@@ -8,6 +8,7 @@
 #include "../../chapters/10_grid/lab/drift.h"
 #include "../../chapters/11_octree/lab/variants.h"
 #include "../../chapters/12_kdtree/lab/textbook.h"
+#include "../../chapters/13_bsp/lab/naive.h"
 #include "../../chapters/15_wide_bvh/lab/leaky.h"
 #include "../../chapters/16_instances/first.h"
 #include "../../chapters/16_instances/instances.h"

@@ -13,8 +13,8 @@
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
 #include "../first.h"
-#include "../bsp.h"
 #include "../painter.h"
+#include "naive.h"
 #include "puzzles.h"
 
 TRIAL_VERBS(bsp, bsp, bsp_hit, bsp_hit_counted)
