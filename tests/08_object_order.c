@@ -101,7 +101,9 @@ static void test_rays(void)
         raster_how how = raster_default;
         how.bits = 12;
         raster_mesh(&s, &m, c, how);
-        for (size_t k = m.triangles; k-- > 0;) raster_part(&back, &m, k, k + 1, c, how);
+        raster_job j = raster_begin(&back, c, how);
+        for (size_t k = m.triangles; k-- > 0;)
+            raster_triangle(&j, mesh_triangle(&m, k), (uint32_t)k);
         (void)orders_rays(&due, &m, c, 1);
         orders_difference d = orders_compare(&s, &due, &m, c, how.bits);
         for (int k = 0; k < nx * ny; k++) {

@@ -191,17 +191,11 @@ static inline void raster_triangle(const raster_job *j, triangle t, uint32_t num
     for (int k = 2; k < n; k++) raster_points(j, q[0], q[k - 1], q[k], number);
 }
 
-/* Triangles first .. end - 1 of m. */
-static inline void raster_part(raster *s, const mesh *m, size_t first, size_t end, camera c,
-                               raster_how how)
-{
-    raster_job j = raster_begin(s, c, how);
-    for (size_t i = first; i < end; i++) raster_triangle(&j, mesh_triangle(m, i), (uint32_t)i);
-}
-
 static inline void raster_mesh(raster *s, const mesh *m, camera c, raster_how how)
 {
-    raster_part(s, m, 0, m->triangles, c, how);
+    raster_job j = raster_begin(s, c, how);
+    for (size_t i = 0; i < m->triangles; i++)
+        raster_triangle(&j, mesh_triangle(m, i), (uint32_t)i);
 }
 
 #endif

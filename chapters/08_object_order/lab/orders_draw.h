@@ -45,9 +45,11 @@ static inline void orders_draw(const options *o)
     camera c = orders_camera((real)w / (real)h);
     raster drawn = raster_new(w, h), seen = raster_new(w, h), part = raster_new(w, h);
     whole = orders_rays(&seen, &m, c, o->threads);
+    raster_job job = raster_begin(&drawn, c, raster_default);
     for (size_t k = 0; k < 3; k++) {
         int column = (int)k * (w + orders_gap);
-        raster_part(&drawn, &m, k * m.triangles / 3, (k + 1) * m.triangles / 3, c, raster_default);
+        for (size_t i = k * m.triangles / 3; i < (k + 1) * m.triangles / 3; i++)
+            raster_triangle(&job, mesh_triangle(&m, i), (uint32_t)i);
         for (size_t i = 0; i < (k + 1) * (size_t)(w * h) / 3; i++) part.h[i] = seen.h[i];
         if (small && k < 2) continue;
         orders_panel(&im, small ? 0 : column, 0, &drawn, &m, c, NULL, NULL);
