@@ -3,6 +3,7 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
+#include "../chapters/07_mesh/files/obj.h"
 #include "../chapters/07_mesh/inside.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 

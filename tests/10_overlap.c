@@ -1,6 +1,6 @@
 /* Overlap of items and cells: never "no" when they touch, against points that are known exactly to
  * lie on both; and equal to the exact answer in whole numbers where the gaps are whole numbers. */
-#include "../chapters/10_grid/overlap.h"
+#include "../chapters/10_grid/lab/naive.h"
 #include "../common/numbers/wide.h"
 #include "aimed.h"
 #include "check.h"

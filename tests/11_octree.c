@@ -3,6 +3,7 @@
  * every leaf that it touches, leaves fill the cube, the bits of inner nodes are right, cuts stop
  * where they should, memory is bounded. The walk: which cells it passes and in which order, by
  * definition and by exact arithmetic. */
+#include "../chapters/10_grid/lab/naive.h"
 #include "../chapters/11_octree/lab/variants.h"
 #include "../chapters/11_octree/octree.h"
 #include "structure.h"

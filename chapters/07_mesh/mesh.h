@@ -11,7 +11,6 @@
  *   bool     mesh_texture(&m, i, u, v, &t)  texture coordinates there; false: a corner has none
  *   bool     mesh_bounds(&m, &lo, &hi)      box around all triangles; false if there is none
  *   void     mesh_smooth_normals(&m)        one normal a vertex, triangles weighted by angle
- *   const char *mesh_material(&m, i)        the name that usemtl gave triangle i, or ""
  *   size_t   mesh_run_of(&m, i)             the last run that begins at or before triangle i,
  *                                           counted from 1; 0: none. By halving
  *   void     mesh_free(&m)                  a zeroed mesh may be freed, and so may a freed one
@@ -89,12 +88,6 @@ static inline size_t mesh_run_of(const mesh *m, size_t i)
         else hi = middle;
     }
     return lo;
-}
-
-static inline const char *mesh_material(const mesh *m, size_t i)
-{
-    size_t k = mesh_run_of(m, i);
-    return k ? m->names + m->run[k - 1].name : "";
 }
 
 /* The normal of corner k [0,3) of triangle i, as stored; zero if it has none. */

@@ -11,7 +11,6 @@
  *   if (overlap_plan_of(&x, i, &p)) ...       once an item; false: it can never be hit
  *   bool overlap_box(&p, cell)                for many cells; the cell is closed
  *   bool items_overlap_box(&x, i, cell)       both at once
- *   bool items_overlap_bounds(&x, i, cell)    the cheap answer
  *
  * Never "no" when they touch, whatever the rounding: the margin is argued below. "Yes" may be wrong
  * where a gap is smaller than 8 epsilon times the largest coordinate of the item; and for
@@ -149,12 +148,6 @@ static inline bool items_overlap_box(const items *x, size_t i, aabb cell)
 {
     overlap_plan p;
     return overlap_plan_of(x, i, &p) && overlap_box(&p, cell);
-}
-
-static inline bool items_overlap_bounds(const items *x, size_t i, aabb cell)
-{
-    aabb b;
-    return items_bounds(x, i, &b) && !aabb_is_empty(aabb_overlap(b, cell));
 }
 
 #endif

@@ -12,7 +12,6 @@
  *   grid_walk w = walk_from(&l, &a, t)         the cell at t; the cell's number is w.cell
  *   real t = walk_next_t(&w)                   where the ray leaves it; infinity: no wall ahead
  *   walk_step(&w, t)                           into the next one, if t is not infinite
- *   int i = walk_index(&l, &w, k)              which cell on axis k
  *
  * Outer cells reach to infinity: the walk never leaves the lattice. t counts in lengths of a.d, in
  * which very long and very short directions are scaled: multiply a t of the ray by a.scale.
@@ -157,12 +156,6 @@ fast_inline void walk_step(grid_walk *w, real t)
     else if (w->t.y == t)
         walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, w->first.y, w->step.y);
     else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, w->first.z, w->step.z);
-}
-
-static inline int walk_index(const lattice *l, const grid_walk *w, int k)
-{
-    ptrdiff_t row = l->n[0], layer = row * l->n[1];
-    return (int)(k == 0 ? w->cell % row : k == 1 ? w->cell % layer / row : w->cell / layer);
 }
 
 #endif

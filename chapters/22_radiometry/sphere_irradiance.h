@@ -9,8 +9,6 @@
  *                               k^2 = d^2 - R^2,  w^2 = R^2 - height^2
  *
  *   sphere_irradiance(s, p, n)       E / L [sr]: times L [W/(m^2 sr)] it is the irradiance [W/m^2]
- *   sphere_irradiance_unclipped(..)  (22.10) for any height: counts what is below as negative; as
- *                                    does first_sphere_irradiance, which stops at 0
  *
  *   case                                         naive                       so here
  *   far sphere (R/d = 1e-3 in float) on the      three terms of size R/d     positive numbers are
@@ -34,13 +32,6 @@
 typedef struct { real radius, across, height, power; } sphere_view;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline real sphere_irradiance_unclipped(sphere s, vec3 p, vec3 n)
-{
-    vec3 f = vsub(s.c, p);
-    real d = vlength(f), sine = s.r / d;
-    return sine >= 1 ? pi : pi * sine * sine * (vdot(n, f) / d);
-}
 
 /* The part above the horizon of a sphere whose centre is `depth` [0, R) below it, as slices of one
  * elevation theta, each two phi wide:

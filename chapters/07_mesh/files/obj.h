@@ -17,6 +17,7 @@
  *   mesh m;
  *   failure f;
  *   if (!obj_read("teapot.obj", &m, &f)) fail(f);      then m is zeroed, and need not be freed
+ *   const char *name = mesh_material(&m, i)            what usemtl gave triangle i, or ""
  *   mesh_free(&m);
  *
  *   what went wrong                                                                  exit code
@@ -49,6 +50,12 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
 static inline int obj_libraries_missing(const mesh *m, const char *path);
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline const char *mesh_material(const mesh *m, size_t i)
+{
+    size_t k = mesh_run_of(m, i);
+    return k ? m->names + m->run[k - 1].name : "";
+}
 
 typedef struct {
     const char *name;

@@ -7,7 +7,7 @@
  *                      \___\              /    spout   2 rings of 2: 32 patches in all
  *                           \____________/
  *   mesh m = teapot_mesh(n)       n x n cells a patch [1, 8000], counter-clockwise seen from
- *                                 outside, the surface's own normals, parts named by mesh_material
+ *                                 outside, the surface's own normals, parts named as by usemtl
  *
  *   triangles      64 n^2 - 8 n   two a cell, less one where a cell touches the axis
  *   vertices   32 n^2 + 4 n + 2   one normal each; patches of a part share those where they meet

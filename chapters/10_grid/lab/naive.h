@@ -11,6 +11,9 @@
  *    o---|-------|-b---a-|   it, above) and finds it hit: in cell 2. It stops: b, in front of a,
  *        | a- - -|- - /  |   but listed in cell 2 alone, is lost.
  *        +-------+-------+
+ *
+ *   bool items_overlap_bounds(&x, i, cell)    the cheap answer of overlap.h
+ *   int i = walk_index(&l, &w, k)             which cell on axis k
  */
 #ifndef GRID_NAIVE_H
 #define GRID_NAIVE_H
@@ -62,6 +65,18 @@ static inline bool grid_hit_early(const grid *g, ray r, hit *out)
 static inline bool grid_hit_added(const grid *g, ray r, hit *out)
 {
     return grid_search_plain(g, r, walk_step_naive, false, out);
+}
+
+static inline bool items_overlap_bounds(const items *x, size_t i, aabb cell)
+{
+    aabb b;
+    return items_bounds(x, i, &b) && !aabb_is_empty(aabb_overlap(b, cell));
+}
+
+static inline int walk_index(const lattice *l, const grid_walk *w, int k)
+{
+    ptrdiff_t row = l->n[0], layer = row * l->n[1];
+    return (int)(k == 0 ? w->cell % row : k == 1 ? w->cell % layer / row : w->cell / layer);
 }
 
 #endif

@@ -9,7 +9,7 @@
 #define GRID_WALK_FIGURE_H
 
 #include "../../../common/lab/figure.h"
-#include "../grid.h"
+#include "naive.h"
 #include "scenes.h"
 
 enum { walk_wide = 13, walk_high = 6, walk_unit = 62, walk_most = 40 };

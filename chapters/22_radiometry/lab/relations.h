@@ -159,6 +159,15 @@ static inline real lambert_sample(random_stream *s)
 
 /* ---- irradiance of lights ---- */
 
+/* (22.10) for any height: counts what is below as negative, as first_sphere_irradiance does, which
+ * stops at 0. */
+static inline real sphere_irradiance_unclipped(sphere s, vec3 p, vec3 n)
+{
+    vec3 f = vsub(s.c, p);
+    real d = vlength(f), sine = s.r / d;
+    return sine >= 1 ? pi : pi * sine * sine * (vdot(n, f) / d);
+}
+
 /* By rays, cosine-distributed: pi for each that meets the light. */
 static inline real rays_to(random_stream *s, sphere b)
 {
