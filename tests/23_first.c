@@ -2,7 +2,7 @@
  * their digits. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../common/lab/t_test.h"
 #include "../chapters/23_brdf/first.h"
-#include "../chapters/23_brdf/reflection.h"
+#include "../chapters/23_brdf/lab/reference.h"
 #include "check.h"
 
 #define alarm 1e-8

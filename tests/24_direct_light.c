@@ -4,6 +4,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/24_direct_light/direct.h"
 #include "../chapters/24_direct_light/lab/pictures.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"

@@ -3,7 +3,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
-#include "../chapters/24_direct_light/environment.h"
+#include "../chapters/24_direct_light/scenes/sky.h"
 #include "../chapters/24_direct_light/mis.h"
 #include "check.h"
 

@@ -2,6 +2,7 @@
  * 26_light_tracer.) */
 #include "check.h"
 #include "../common/lab/t_test.h"
+#include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/25_bounces/naive_path.h"
 #include "../chapters/26_path_tracer/render.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"

@@ -5,7 +5,7 @@
 #include "../chapters/27_effects/framing.h"
 #include "../chapters/27_effects/lab/explain.h"
 #include "../chapters/27_effects/files/studio_read.h"
-#include "../chapters/23_brdf/brdf.h"
+#include "../chapters/23_brdf/lab/reference.h"
 #include "../common/random.h"
 #include "check.h"
 

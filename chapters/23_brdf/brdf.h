@@ -17,8 +17,6 @@
  *   brdf_sample(&b, n, wo, u, v, &wi, &pdf, &weight)   draws wi; pdf per solid angle [1/sr];
  *                                              weight = f cos / pdf, cosine and pdf included
  *   brdf_pdf(&b, n, wi, wo)                    the pdf with which brdf_sample draws wi given wo
- *   brdf_albedo(&b, cos)                       (23.4) for wo at this cosine, within 2e-4; slow: the
- *                                              mean of 4181 samples
  *   brdf_is_delta(&b), brdf_is_black(&b)
  *
  * n, wi, wo have unit length; wi and wo point away from the surface. One that is behind it, or
@@ -35,7 +33,6 @@
 #define BRDF_H
 
 #include "blinn_phong.h"
-#include "../../common/numbers/fibonacci.h"
 #include "microfacet.h"
 #include "shading_frame.h"
 
@@ -191,32 +188,6 @@ brdf_inline bool brdf_sample(const brdf *b, vec3 n, vec3 wo, real u, real v, vec
     if (!brdf_sample_local(b, to_local(f, wo), u, v, wi, pdf, weight)) return false;
     *wi = to_world(f, *wi);
     return true;
-}
-
-/* The mean weight: it is bounded, whatever the lobe.                                     (23.21) */
-static inline vec3 brdf_albedo_specular(const brdf *b, vec3 wo)
-{
-    vec3 sum = {0, 0, 0}, wi, weight;
-    real pdf, whole = 0;
-    for (int i = 0; i < fibonacci_small.n; i++) {
-        square_point p = fibonacci_point(fibonacci_small, i);
-        whole += p.area;
-        if (brdf_sample_local(b, wo, p.u, p.v, &wi, &pdf, &weight))
-            sum = vmadd(sum, weight, p.area);
-    }
-    return vscale(sum, 1 / whole);
-}
-
-static inline vec3 brdf_albedo(const brdf *b, real cosine)
-{
-    real c = real_clamp(cosine, 0, 1);
-    vec3 wo = {sqrt((1 - c) * (1 + c)), 0, c};
-    if (brdf_behind(wo)) return (vec3){0, 0, 0};
-    if (b->kind == BRDF_LAMBERT) return b->diffuse;
-    if (b->kind == BRDF_MIRROR) return fresnel_schlick(b->specular, c);
-    brdf gloss = *b;
-    gloss.diffuse = (vec3){0, 0, 0}, gloss.chance = 1;
-    return vadd(b->diffuse, brdf_albedo_specular(&gloss, wo));
 }
 
 #endif

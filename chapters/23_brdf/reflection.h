@@ -1,11 +1,10 @@
-/* reflection.h: the reflection equation (反射方程) at one point, four ways.
+/* reflection.h: the reflection equation (反射方程) at one point, three ways.
  *
  *   L(wo) = integral over the hemisphere of f(wi, wo) L(wi) cos(n, wi) dwi                  (23.2)
  *         ~ 1/N sum of f(wi, wo) L(wi) cos(n, wi) / pdf(wi),   wi drawn with this pdf      (23.19)
  *
  *   reflection r = {DIRECTIONS_BRDF, false, 0};
  *   vec3 lo = reflection_estimate(&r, &b, n, wo, incident, kind, seed, pixel, N);   kind: sampler.h
- *   vec3 lo = reflection_grid(&r, &b, n, wo, incident, k);   k x k directions, evenly spread
  *
  *   choice                pdf
  *   DIRECTIONS_UNIFORM    1 / (2 pi)       all directions alike
@@ -71,21 +70,6 @@ static inline vec3 reflection_estimate(reflection *r, const brdf *b, vec3 n, vec
         sum = vadd(sum, reflection_term(r, b, f, local, incident, sampler_pair(&s)));
     }
     return vscale(sum, 1 / (real)samples);
-}
-
-/* The midpoint rule: k rings of equal solid angle, k directions in each. */
-static inline vec3 reflection_grid(reflection *r, const brdf *b, vec3 n, vec3 wo,
-                                   incident_light *incident, int k)
-{
-    shading_frame f = shading_frame_of(n);
-    vec3 sum = {0, 0, 0}, local = to_local(f, wo);
-    reflection uniform = {DIRECTIONS_UNIFORM, r->ask_all, 0};
-    for (int i = 0; i < k * k; i++) {
-        point2 p = {((real)(i / k) + (real)0.5) / (real)k, ((real)(i % k) + (real)0.5) / (real)k};
-        sum = vadd(sum, reflection_term(&uniform, b, f, local, incident, p));
-    }
-    r->asked += uniform.asked;
-    return vscale(sum, 1 / ((real)k * (real)k));
 }
 
 #endif

@@ -24,6 +24,7 @@
 #include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
+#include "../../24_direct_light/scenes/sky.h"
 #include "../render.h"
 
 typedef struct { lit_scene s; environment sky; bool has_sky; camera eye; } showcase;
