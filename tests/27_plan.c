@@ -4,6 +4,7 @@
  */
 #include "../chapters/27_effects/framing.h"
 #include "../chapters/27_effects/lab/explain.h"
+#include "../chapters/27_effects/files/effects_read.h"
 #include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/23_brdf/lab/reference.h"
 #include "../common/random.h"
@@ -97,9 +98,9 @@ static double furnace(const appearance *a, double cosine)
         back = vzero(a->mirror) ? vmul(f, albedo) : f;
         rest = vmul(rest, vrest(f));
     } else if (a->fresnel) {  /* of glass: R of the one, 1 - R of the other */
-        return (double)real_max(vgreatest(back), vgreatest(rest));
+        return (double)real_max(vlargest(back), vlargest(rest));
     }
-    return (double)vgreatest(vadd(back, rest));
+    return (double)vlargest(vadd(back, rest));
 }
 
 /* No channel gives back more than it gets, whatever the numbers and the angle; hues stay. */

@@ -9,7 +9,6 @@
  *
  *   environment e;
  *   if (!environment_of_image(&im, &e, &f)) fail(f);     im is copied; f: negative, NaN, all black
- *   environment_read("sky.pfm", &e, &f)                  .pfm: linear; .ppm: from sRGB
  *   vec3 L = environment_radiance(&e, d)                 d: unit
  *   environment_sample(&e, u, &wi, &pdf, &L)             pdf [1/sr] in proportion to luminance
  *   real p = environment_pdf(&e, d)                      the same for any direction; 0: black there
@@ -64,16 +63,6 @@ static inline bool environment_of_image(const image *im, environment *out, failu
     if (ok) return true;
     environment_free(out);
     return failed(f, 2, "the environment has a negative or infinite radiance, or none at all");
-}
-
-static inline bool environment_read(const char *path, environment *out, failure *f)
-{
-    image im;
-    if (!image_read(path, &im, f)) return false;
-    failure why;
-    bool ok = environment_of_image(&im, out, &why);
-    image_free(&im);
-    return ok || failed(f, why.exit_code, "%.300s: %s", path, why.text);
 }
 
 /* Row and column of d; the last one where rounding goes beyond. */

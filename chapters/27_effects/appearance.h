@@ -51,8 +51,6 @@ static inline vec3 vrest(vec3 a)  /* 1 - a, not below 0 */
     return vmax((vec3){1 - a.x, 1 - a.y, 1 - a.z}, (vec3){0, 0, 0});
 }
 
-static inline real vgreatest(vec3 a) { return real_max(real_max(a.x, a.y), a.z); }
-
 /* Reflection of all that is around: in a lobe or sharp. */
 static inline void appearance_reflects(appearance *a, const studio_material *m, vec3 colour)
 {
@@ -72,7 +70,7 @@ static inline void appearance_limit(appearance *a)
 {
     vec3 reflected = vmax(a->highlight, vadd(a->mirror, a->glossy));
     vec3 rest = vadd(a->matte, a->through);
-    a->excess = vgreatest(a->fresnel ? vmax(reflected, rest) : vadd(reflected, rest));
+    a->excess = vlargest(a->fresnel ? vmax(reflected, rest) : vadd(reflected, rest));
     if (!(a->excess > 1 + 16 * real_epsilon)) return;
     vec3 *part[] = {&a->matte, &a->highlight, &a->mirror, &a->glossy, &a->through};
     for (int k = 0; k < 5; k++) *part[k] = vscale(*part[k], 1 / a->excess);

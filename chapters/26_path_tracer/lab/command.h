@@ -8,6 +8,7 @@
 #define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
+#include "../../24_direct_light/files/environment_read.h"
 #include "../files/long_run.h"
 #include "showcase.h"
 

@@ -11,6 +11,7 @@
 
 #include "../../../common/numbers/estimate.h"
 #include "../../26_path_tracer/files/long_run.h"
+#include "../files/effects_read.h"
 #include "price.h"
 #include "six.h"
 #include "tax.h"
