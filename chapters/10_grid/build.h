@@ -33,14 +33,8 @@ typedef struct {
 /* In float, 1e-7 of a distance is 1e-4 of a cell: what is paid in advance is less. */
 #define grid_reach (real_is_float ? 4 : 1024)
 
-/* The widest cells that still are small against the margin: 8 of it. */
-static inline int grid_most_cells(real side, real margin)
-{
-    return (int)real_clamp(side / (8 * margin), 1, 1 << 20);
-}
-
 /* 2. (10.3). Axes thinner than a cell are left out, one after the other. Sides are measured by the
- * longest: the volume of a box of 1e-110 is 0 in double. */
+ * longest: the volume of a box of 1e-110 is 0 in double. No cell is below 8 of the margin. */
 static inline void grid_resolution(aabb box, double cells, real margin, int n[3])
 {
     bool cut[3] = {true, true, true};
@@ -53,7 +47,7 @@ static inline void grid_resolution(aabb box, double cells, real margin, int n[3]
             if (cut[k]) volume *= (double)(vaxis(side, k) / longest), axes++;
         if (axes > 0) per = pow(cells / volume, 1.0 / axes);  /* cells along the longest side */
         for (int k = 0; k < 3; k++) {
-            int most = grid_most_cells(vaxis(side, k), margin);
+            int most = (int)real_clamp(vaxis(side, k) / (8 * margin), 1, 1 << 20);
             double want = cut[k] ? (double)(vaxis(side, k) / longest) * per : 1;
             n[k] = want < most ? (int)(want + 0.5) : most;
             n[k] = n[k] > 1 ? n[k] : 1;

@@ -19,12 +19,6 @@ typedef bool grid_ask_cell(const grid *g, size_t cell, query *q, mailbox *seen, 
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool grid_search_all(const grid *g, ray r, bool any, hit *out, search_work *work)
-{
-    if (work) work->tests += g->x.n, work->leaves++;
-    return any ? items_occluded(&g->x, r) : items_hit(&g->x, r, out);
-}
-
 /* Asks all cells from lo to hi, both corners included; true if something was hit. */
 fast_inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, vec3 hi, query *q,
                                 mailbox *seen, bool any, search_work *work)
@@ -61,7 +55,10 @@ fast_inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bo
     int k = vlongest(r.d);
     for (int i = 0; i < 3; i++)
         cells *= i == k ? (real)l->n[k] : 2 + 3 * delta * vaxis(l->per, i);
-    if (!(cells < (real)g->x.n)) return grid_search_all(g, r, any, out, work);
+    if (!(cells < (real)g->x.n)) {
+        if (work) work->tests += g->x.n, work->leaves++;
+        return any ? items_occluded(&g->x, r) : items_hit(&g->x, r, out);
+    }
     query q = query_of(r);
     mailbox seen = mailbox_new();
     real o = vaxis(r.o, k), inverse = vaxis(a.inverse, k), size = vaxis(l->size, k);

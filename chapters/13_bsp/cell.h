@@ -49,11 +49,6 @@ static inline void cells_back_to(cell_store *s, cell_mark m)
     s->corners = m.corners, s->faces = m.faces;
 }
 
-static inline size_t cells_bytes(const cell_store *s)
-{
-    return s->corner_room * sizeof *s->corner + s->face_room * sizeof *s->face;
-}
-
 static inline void cells_free(cell_store *s)
 {
     free(s->corner), free(s->face);

@@ -60,11 +60,6 @@ static inline fragment *workshop_push(workshop *w, fragment f)
     return &w->f[w->fragments++];
 }
 
-static inline size_t workshop_bytes(const workshop *w)
-{
-    return w->corner_room * sizeof *w->corner + w->fragment_room * sizeof *w->f;
-}
-
 static inline bool fragment_of(workshop *w, uint32_t i, fragment *out)
 {
     aabb b;

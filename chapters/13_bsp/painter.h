@@ -105,14 +105,6 @@ static inline plane_side painter_side(const painter_builder *b, const split_plan
     return side_of_range(lo, hi, b->e);
 }
 
-static inline size_t painter_cuts(const painter_builder *b, const split_plane *p,
-                                  const painter_list *l)
-{
-    size_t cuts = 0;
-    for (size_t i = 0; i < l->n; i++) cuts += painter_side(b, p, l->piece[i]) == SIDE_BOTH;
-    return cuts;
-}
-
 static inline split_plane painter_choose(painter_builder *b, const painter_list *l, size_t *which)
 {
     size_t fewest = SIZE_MAX;
@@ -121,7 +113,9 @@ static inline split_plane painter_choose(painter_builder *b, const painter_list 
     for (int k = 0; k < tries && fewest > 0; k++) {
         size_t i = b->how.rule == PAINTER_FIRST ? 0 : (size_t)(random_next_bits(&b->g) % l->n);
         split_plane p = painter_plane(b, l->piece[i].owner);
-        size_t cuts = tries > 1 ? painter_cuts(b, &p, l) : 0;
+        size_t cuts = 0;
+        for (size_t j = 0; tries > 1 && j < l->n; j++)
+            cuts += painter_side(b, &p, l->piece[j]) == SIDE_BOTH;
         if (cuts < fewest) fewest = cuts, best = p, *which = i;
     }
     return best;

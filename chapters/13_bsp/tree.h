@@ -77,12 +77,14 @@ static inline void bsp_free(bsp *b)
 /* False, from then on, when more is held than is allowed. */
 static inline bool bsp_fits(bsp_builder *b)
 {
-    size_t now = b->node_room * sizeof(bsp_node) + b->normal_room * sizeof(vec3)
-                 + b->reference_room * sizeof(uint32_t) + workshop_bytes(&b->c.w)
-                 + cells_bytes(&b->c.cells);
+    const workshop *w = &b->c.w;
+    const cell_store *c = &b->c.cells;
+    size_t now = b->node_room * sizeof(bsp_node) + b->reference_room * sizeof(uint32_t)
+                 + (b->normal_room + w->corner_room + c->corner_room) * sizeof(vec3)
+                 + w->fragment_room * sizeof(fragment) + c->face_room * sizeof(cell_face);
     if (now > b->tree->stats.peak) b->tree->stats.peak = now;
     b->full |= now > b->c.how.most_bytes || b->tree->nodes >= bsp_slanted_bit
-               || b->tree->stats.references >= bsp_leaf_bit || b->c.w.corners >= bsp_leaf_bit;
+               || b->tree->stats.references >= bsp_leaf_bit || w->corners >= bsp_leaf_bit;
     return !b->full;
 }
 
