@@ -138,12 +138,6 @@ static inline sphere_look sphere_look_at(const sphere_terms *q)
     return (sphere_look){q->a, q->ca, q->ff, q->rr, D, q->fair && sure};
 }
 
-/* (3.7): o lies near the surface; k exactly. */
-static inline double sphere_power_exactly(sphere s, ray r)
-{
-    return wide_value(sphere_power(wide3_sub(wide3_of(r.o), wide3_of(s.c)), (double)s.r));
-}
-
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
     sphere_terms terms = sphere_terms_of(s, r);
@@ -154,7 +148,8 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
     *t0 = (real)(near / q.a);
     *t1 = (real)(far / q.a);
     if (fabs(q.ff - q.rr) < 8 * DBL_EPSILON * (q.ff + q.rr)) {  /* near or far is mere rounding */
-        double k = sphere_power_exactly(s, r);
+        wide3 f = wide3_sub(wide3_of(r.o), wide3_of(s.c));
+        double k = wide_value(sphere_power(f, (double)s.r));
         if (q.ca < 0) *t1 = (real)(k / near);                                            /* (3.7) */
         else *t0 = (real)(k / far);
     }

@@ -87,8 +87,10 @@ static inline bool grid_mark(grid *g, grid_options how, failure *f)
     marking mark = {&g->x, g->cells, g->margin, how.exact};
     cell_lists *l = &g->lists;
     if (!lists_begin(lattice_cells(&g->cells), how.most_bytes, l, f)) return false;
-    for (size_t i = 0; i < g->x.n; i++)
-        if (!lists_count(l, &mark, i, 0, f)) return false;
+    for (size_t i = 0; i < g->x.n; i++) {
+        lists_enter(l, &mark, i, 0);
+        if (!lists_fit(l, f)) return false;
+    }
     lists_sum(l);
     for (size_t i = g->x.n; i-- > 0;) lists_enter(l, &mark, i, 0);
     lists_finish(l);

@@ -6,10 +6,10 @@
  *
  *   cell_lists l;
  *   if (!lists_begin(cells, most_bytes, &l, &f)) ..        no memory, no lists
- *   for (i = 0; i < n; i++)
- *       if (!lists_count(&l, &mark, i, 0, &f)) ..          more than most_bytes
+ *   for (i = 0; i < n; i++) lists_enter(&l, &mark, i, 0);  counts; then
+ *   if (!lists_fit(&l, &f)) ..                             more than most_bytes
  *   lists_sum(&l);
- *   for (i = n; i-- > 0;) lists_enter(&l, &mark, i, 0);
+ *   for (i = n; i-- > 0;) lists_enter(&l, &mark, i, 0);    enters
  *   lists_finish(&l);
  *   bool cell_marked(&l, cell)                             anything in it?
  *   lists_free(&l);
@@ -106,13 +106,6 @@ static inline void lists_enter(cell_lists *l, const marking *m, size_t item, siz
         j[k] = lattice_index(vaxis(p.box.hi, k) + m->margin, lo, per, m->cells.n[k]);
     }
     lists_take_block(l, m, &p, i, j, base, (uint32_t)item);
-}
-
-static inline bool lists_count(cell_lists *l, const marking *m, size_t item, size_t base,
-                               failure *f)
-{
-    lists_enter(l, m, item, base);
-    return lists_fit(l, f);
 }
 
 static inline void lists_sum(cell_lists *l)

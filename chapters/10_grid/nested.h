@@ -107,9 +107,10 @@ static inline bool nested_mark(nested *x, const cell_lists *outer, bool exact, f
         if (!x->part_of[c]) continue;
         const nested_part *p = &x->part[x->part_of[c]];
         mark.cells = nested_lattice(p);
-        for (uint32_t i = outer->first[c + 1]; i-- > outer->first[c];)
-            if (l->item) lists_enter(l, &mark, outer->item[i], p->base);
-            else if (!lists_count(l, &mark, outer->item[i], p->base, f)) return false;
+        for (uint32_t i = outer->first[c + 1]; i-- > outer->first[c];) {
+            lists_enter(l, &mark, outer->item[i], p->base);
+            if (!l->item && !lists_fit(l, f)) return false;
+        }
     }
     return true;
 }

@@ -60,8 +60,7 @@ static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
     int e = needed_scale(real_max(vlength(a), real_max(vlength(b), vlength(c))));
     if (e) {
         t = (triangle){vscaled_by(t.a, e), vscaled_by(t.b, e), vscaled_by(t.c, e)};
-        p = vscaled_by(p, e);
-        return spherical_triangle_of(t, p);
+        return spherical_triangle_of(t, vscaled_by(p, e));
     }
     return spherical_triangle_from(a, b, c, triangle_volume(t, p), triangle_solid_angle(t, p));
 }
