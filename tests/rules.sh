@@ -107,7 +107,7 @@ cap() {  # cap FOLDER LINES
     if [ "$lines" -le "$2" ]; then ok; else no "$1/ has $lines lines, at most $2 are wanted"; fi
 }
 cap common 1500
-cap common/numbers 1160  # 1000, and eight.h with dialects.h, which were concepts of 15
+cap common/numbers 1170  # 1000, and eight.h with dialects.h, which were concepts of 15: 170
 cap common/lab 1275  # 1200, and t_test.h, which was a concept of 20
 lines=$(wc -l < common/vec3.h)
 if [ "$lines" -lt 150 ]; then ok; else no "vec3.h has $lines lines, fewer than 150 are wanted"; fi

@@ -70,8 +70,9 @@ typedef struct {
     bvh_item *item;
     bvh_options options;
     splitter split;
-    bool apart;      /* who is cut before item p has its children at 2 p, not at the next places */
-    size_t aside;    /* sets of so many, or fewer, are not built but put aside */
+    /* For builders of several threads (15): */
+    bool apart;      /* children of a cut before item p are nodes 2 p and 2 p + 1, not the next */
+    size_t aside;    /* sets of so many items or fewer are not built, but become jobs */
     tree_job *job;
     size_t jobs;
 } tree_builder;
@@ -89,6 +90,7 @@ static inline size_t tree_split(tree_builder *b, bvh_item *item, size_t n, int d
     return fits && s->cost >= (double)n * s->item_cost ? 0 : left;
 }
 
+/* Node j.at and all below it. */
 static inline void tree_node(tree_builder *b, tree_job j)
 {
     bvh_tree *t = b->tree;
