@@ -30,9 +30,9 @@
  * counts say how often each was done. With spend_all shadow rays that can bring nothing are traced
  * all the same: the result is the same bit by bit.
  *
- * Random numbers: pair 0 places the ray in its pixel. The next path_pairs pairs, two a hit (light,
- * BRDF), are the sampler's; all others, glass and roulette are independent: what far bounces bring
- * depends on too many numbers for any of them to be worth stratifying.
+ * Random numbers: the first path_pairs pairs are the sampler's. Pair 0 places the ray in its pixel,
+ * then come two a hit, light and BRDF. All others, glass and roulette are independent: what far
+ * bounces bring depends on too many numbers for any of them to be worth stratifying.
  *
  * Source: J. Kajiya, SIGGRAPH 1986; E. Veach, thesis, Stanford, 1997, sections 8.3, 9.2, 10.2.
  */
