@@ -267,12 +267,12 @@ static void test_there_and_back(void)
 /* |e| = 1e6, d = 0.035, in float: the floats near e are 1/16 apart, so s = e + D lands on a lattice
  * coarser than the whole image plane, and s - e has the errors of s: epsilon |e| / d in direction.
  * FCG introduces the ray in this way, as e + t (s - e), and then computes it as camera_ray does. */
-static ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
+static ray camera_ray_naive(camera c, real x, real y, int w, int h)
 {
-    vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));
+    vec3 in_plane = camera_in_plane(c, camera_u(c, x, w), camera_v(c, y, h));
     if (c.kind == CAMERA_PARALLEL) return ray_from(vadd(c.e, in_plane), c.direction);
-    vec3 s = vadd(c.e, vmadd(in_plane, c.w, -c.d));
-    return ray_from(c.e, vsub(s, c.e));
+    vec3 through = vadd(c.e, vmadd(in_plane, c.w, -c.d));
+    return ray_from(c.e, vsub(through, c.e));
 }
 
 /* D against exact arithmetic, with the camera of the Cornell box (d = 0.035, window 0.025 wide).

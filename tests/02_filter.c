@@ -21,9 +21,9 @@ static real filter_volume(filter f)
 /* n positions that cover the square of area (2 radius)^2 evenly have weights that sum to about
  * n volume / area, and this divides by that number. It is right on average, but not for the n rays
  * at hand: four jittered rays under a tent may see a wall of brightness 1 as .5 or as 1.5. */
-static vec3 filter_mean_naive(filter_sum s, filter f, int n)
+static vec3 filter_mean_naive(filter_sum sum, filter f, int n)
 {
-    return vscale(s.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
+    return vscale(sum.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
 }
 
 /* The midpoint rule with 20001 points on [-R, R] in double: another way to the same integral. A
