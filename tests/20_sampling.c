@@ -179,7 +179,7 @@ static void test_angle(void)
         long double more = fabs(((long double)s - sin(w)) / w);
         worst = off > worst ? off : worst, worst = more > worst ? more : worst;
     }
-    check_at_most((double)worst, real_epsilon, "cosine and sine / x");
+    check_at_most((double)worst, (double)real_epsilon, "cosine and sine / x");
 }
 
 /* sin of the angle of sample u: of a cone 2 sqrt(q (1-q)), q = u sin^2(angle/2), in double from the
