@@ -147,6 +147,7 @@ static inline real query_delta(ray r, aabb all)
 }
 
 #define STRUCTURE_VERBS(X) STRUCTURE_VERBS_OF(X, hit, search_work)
+/* NOLINTBEGIN(bugprone-macro-parentheses): a type takes none. */
 #define STRUCTURE_VERBS_OF(X, hit_type, work_type)                                               \
     static inline bool X##_hit(const X *s, ray r, hit_type *out)                                 \
     {                                                                                            \
@@ -164,5 +165,6 @@ static inline real query_delta(ray r, aabb all)
     {                                                                                            \
         return X##_search(s, r, true, NULL, w);                                                  \
     }
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 #endif
