@@ -2,6 +2,7 @@
 #include "check.h"
 #include "../common/headlight.h"
 #include "02_oracle.h"
+#include "../chapters/02_camera/lab/naive.h"
 #include "../chapters/02_camera/lab/rtr_camera.h"
 #include "../common/random.h"
 
@@ -264,17 +265,6 @@ static void test_there_and_back(void)
     }
 }
 
-/* |e| = 1e6, d = 0.035, in float: the floats near e are 1/16 apart, so s = e + D lands on a lattice
- * coarser than the whole image plane, and s - e has the errors of s: epsilon |e| / d in direction.
- * FCG introduces the ray in this way, as e + t (s - e), and then computes it as camera_ray does. */
-static ray camera_ray_naive(camera c, real x, real y, int w, int h)
-{
-    vec3 in_plane = camera_in_plane(c, camera_u(c, x, w), camera_v(c, y, h));
-    if (c.kind == CAMERA_PARALLEL) return ray_from(vadd(c.e, in_plane), c.direction);
-    vec3 through = vadd(c.e, vmadd(in_plane, c.w, -c.d));
-    return ray_from(c.e, vsub(through, c.e));
-}
-
 /* D against exact arithmetic, with the camera of the Cornell box (d = 0.035, window 0.025 wide).
  * The direct form: four roundings in u (of at most 1 in units of the window) and three in D,
  * wherever e is. s - e: s is rounded to epsilon/2 |e| a component. */
@@ -338,8 +328,6 @@ static double half_tangent_exact(real phi)
         sum = wide_add(wide_mul(sum, square), wide_div(wide_of(top[i]), wide_of(bottom[i])));
     return wide_value(wide_div(wide_of(1), wide_mul(sum, delta)));
 }
-
-static real half_tangent_naive(real phi) { return tan(phi * pi / 360); }
 
 static void test_half_tangent(void)
 {

@@ -1,6 +1,7 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
 #include "../chapters/02_camera/lab/measure.h"
+#include "../chapters/02_camera/lab/naive.h"
 
 #define eps ((double)real_epsilon)
 static filter filters[3];
@@ -8,23 +9,6 @@ static const char *const names[] = {"box", "tent", "Gaussian"};
 static random_stream s;
 
 static double uniform(double a, double b) { return a + (b - a) * (double)random_next(&s); }
-
-/* The integral of filter_weight over the plane: 1, radius^2, or about 2 pi sigma^2. */
-static real filter_volume(filter f)
-{
-    real side = f.kind == FILTER_BOX ? 2 * f.radius
-              : f.kind == FILTER_TENT ? f.radius
-              : f.sigma * sqrt(2 * pi) * erf(f.radius / (f.sigma * sqrt((real)2)));
-    return side * side;
-}
-
-/* n positions that cover the square of area (2 radius)^2 evenly have weights that sum to about
- * n volume / area, and this divides by that number. It is right on average, but not for the n rays
- * at hand: four jittered rays under a tent may see a wall of brightness 1 as .5 or as 1.5. */
-static vec3 filter_mean_naive(filter_sum sum, filter f, int n)
-{
-    return vscale(sum.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
-}
 
 /* The midpoint rule with 20001 points on [-R, R] in double: another way to the same integral. A
  * jump of height 2 costs at most half a step; where nothing jumps it is far better. */

@@ -104,14 +104,6 @@ static wide side_exactly(split_plane p, vec3 q)
     return wide_sub(wide3_dot(wide3_of(p.n), wide3_of(q)), wide_of((double)p.at));
 }
 
-/* A needle 1 long and 1e-7 wide: plain products are off by eps, n by eps / 1e-7, and the corners
- * lie up to 1e-7 off their own plane. */
-static split_plane plane_of_triangle_naive(vec3 a, vec3 b, vec3 c)
-{
-    vec3 n = vunit(vcross(vsub(b, a), vsub(c, a)));
-    return (split_plane){n, vdot(n, a), 3};
-}
-
 /* (13.7): computed s against the s of the very same numbers; 4.4 eps size without what moved q. */
 static void test_sides(void)
 {

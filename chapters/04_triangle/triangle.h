@@ -34,7 +34,8 @@
  *
  * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1),
  * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013;
- * Shewchuk 1997 (see 03, sphere.h).
+ * J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+ * Discrete & Computational Geometry 18, 1997.
  */
 #ifndef TRIANGLE_H
 #define TRIANGLE_H

@@ -27,8 +27,8 @@
  *   triangles without area                           count nothing; where closed, it stays closed
  *   one t beyond the largest real                    this line does not meet the mesh
  *
- * Cost: O(n) a ray. Sources: Woop, Benthin, Wald 2013 (see 04, triangle.h); H. Edelsbrunner,
- * E. Mücke, "Simulation of Simplicity", ACM TOG 9(1), 1990.
+ * Cost: O(n) a ray. Sources: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection",
+ * JCGT 2(1), 2013; H. Edelsbrunner, E. Mücke, "Simulation of Simplicity", ACM TOG 9(1), 1990.
  */
 #ifndef CSG_CLOSED_MESH_H
 #define CSG_CLOSED_MESH_H

@@ -19,10 +19,10 @@
  *
  * Sources: Fuchs, Kedem, Naylor 1980 (see side.h): auto-partition, fewest cuts; M. Paterson,
  * F. Yao, "Efficient Binary Space Partitions for Hidden-Surface Removal and Solid Modeling",
- * Discrete & Computational Geometry 5, 1990: random order; MacDonald, Booth 1990 (see 12, split.h):
- * the cost; Ize, Wald, Parker 2008 (see cell.h): slanted planes by cost, planes through edges;
- * R. Kammaje, B. Mora, "A Study of Restricted BSP Trees for Ray Tracing", IEEE Symposium on
- * Interactive Ray Tracing 2007.
+ * Discrete & Computational Geometry 5, 1990: random order; J. MacDonald, K. Booth, "Heuristics for
+ * Ray Tracing Using Space Subdivision", The Visual Computer 6, 1990: the cost; Ize, Wald, Parker
+ * 2008 (see cell.h): slanted planes by cost, planes through edges; R. Kammaje, B. Mora, "A Study of
+ * Restricted BSP Trees for Ray Tracing", IEEE Symposium on Interactive Ray Tracing 2007.
  */
 #ifndef CHOOSE_H
 #define CHOOSE_H

@@ -24,7 +24,9 @@
  * they compute fast, and again in twice the precision what is not: edge-on, slivers, p close to an
  * edge or to the sphere.
  *
- * Sources: Van Oosterom, Strackee 1983 (see 07, inside.h), eq. 8; Shewchuk 1997 (see 03, sphere.h).
+ * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed.
+ * Eng. 30(2), 1983, eq. 8; J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
+ * Robust Geometric Predicates", 1997.
  */
 #ifndef RADIOMETRY_SOLID_ANGLE_H
 #define RADIOMETRY_SOLID_ANGLE_H

@@ -17,8 +17,8 @@
  *
  * Whatever f is: no weights >= 0 have a variance smaller than the balance heuristic's by more than
  * F^2 (1/least n - 1/sum of n), n the number of samples of each way. The power heuristic is better
- * where one way alone would do well. It divides before it squares: the square of 1e20 overflows in
- * float.
+ * where one way alone would do well. mis_power_naive squares before it divides: a pdf of 1e20
+ * overflows in float, and the weight is a NaN.
  *
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, sections 3.2 and 3.3.
@@ -29,6 +29,8 @@
 #include "../../common/vec3.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline real mis_power_naive(real a, real b) { return a * a / (a * a + b * b); }
 
 /* 1 / (1 + q), q = b / a: whatever overflows is an infinity that belongs there. */
 static inline real mis_balance(real a, real b)
