@@ -73,9 +73,8 @@ static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure 
     return built;
 }
 
-__attribute__((always_inline))
-static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                                   bool any)
+fast_inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                                 bool any)
 {
     const bvh *b = context;
     bool found = false;
@@ -89,8 +88,7 @@ static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t
     return found;
 }
 
-__attribute__((always_inline))
-static inline bool bvh_search(const bvh *b, ray r, bool any, hit *out, search_work *work)
+fast_inline bool bvh_search(const bvh *b, ray r, bool any, hit *out, search_work *work)
 {
     return b->x.m ? bvh_mesh_search(&b->mesh, r, any, out, work)
                   : tree_search(&b->shapes, r, box_ray_of, bvh_shapes_leaf, b, any, out, work);

@@ -108,9 +108,8 @@ static inline bool bvh_mesh_build(const mesh *m, bvh_options how, bvh_mesh *out,
     return built;
 }
 
-__attribute__((always_inline))
-static inline bool bvh_mesh_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                                 bool any)
+fast_inline bool bvh_mesh_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                               bool any)
 {
     const bvh_mesh *b = context;
     const bvh_triangle *t = b->triangle + first, *end = t + count;
@@ -126,9 +125,8 @@ static inline bool bvh_mesh_leaf(const void *context, uint32_t first, uint32_t c
     return found;
 }
 
-__attribute__((always_inline))
-static inline bool bvh_mesh_search(const bvh_mesh *b, ray r, bool any, hit *out,
-                                   search_work *work)
+fast_inline bool bvh_mesh_search(const bvh_mesh *b, ray r, bool any, hit *out,
+                                 search_work *work)
 {
     return tree_search(&b->tree, r, box_ray_of, bvh_mesh_leaf, b, any, out, work);
 }

@@ -39,10 +39,9 @@ typedef struct { uint32_t first, count; float enter; } tree_waiting;
  * Which child is nearer is chosen by branches: half of the guesses are wrong, but with the others
  * the processor is already in the next node. Without them (an index from the comparison) it has to
  * wait at every node, and a ray takes a third longer. */
-__attribute__((always_inline))
-static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
-                                  const void *context, bool any, bool nearest, hit *out,
-                                  search_work *work)
+fast_inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                                const void *context, bool any, bool nearest, hit *out,
+                                search_work *work)
 {
     tree_waiting stack[bvh_most_depth];
     int top = 0;
@@ -89,9 +88,8 @@ static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepar
     }
 }
 
-__attribute__((always_inline))
-static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
-                               const void *context, bool any, hit *out, search_work *work)
+fast_inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                             const void *context, bool any, hit *out, search_work *work)
 {
     return tree_search_by(t, r, prepare, leaf, context, any, true, out, work);
 }

@@ -41,20 +41,19 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-eight_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
-                              search_work *work)
+fast_inline bool bvh8_ask_at(const bvh8 *w, const ray *r, bvh8_skip skip, hit *out,
+                             search_work *work)
 {
     return EIGHT_CALL(w->dialect, bvh8_find, w, r, &skip, out, work);
 }
 
-eight_inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
+fast_inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     return bvh8_ask_at(w, &own, skip, out, work);
 }
 
-__attribute__((always_inline))
-static inline bool bvh8_search(const bvh8 *w, ray r, bool any, hit *out, search_work *work)
+fast_inline bool bvh8_search(const bvh8 *w, ray r, bool any, hit *out, search_work *work)
 {
     return bvh8_ask(w, r, bvh8_skip_none, any ? NULL : out, work);
 }

@@ -56,7 +56,7 @@ static inline float bvh8_limit(const bvh8_ray *q, real t)
 
 /* All four ends of the interval so. Infinite ones are made finite first: inf - inf is no number. A
  * NaN stays one, and no t lies in its interval. */
-eight_inline void bvh8_interval(bvh8_ray *q, const ray *r)
+fast_inline void bvh8_interval(bvh8_ray *q, const ray *r)
 {
     double a = (double)r->tmin * q->scale - q->shift, b = (double)r->tmax * q->scale - q->shift;
     doubles4 ends = (doubles4){a, b, a, b} + (doubles4){-1, 1, 1, -1} * q->slack;
@@ -65,7 +65,7 @@ eight_inline void bvh8_interval(bvh8_ray *q, const ray *r)
 }
 
 /* What triangles need: (4.9), from the axis along which d is longest. */
-eight_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
+fast_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
 {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     int kz = vlongest(q->r->d), kx = next[kz + 1], ky = next[kz + 2];
@@ -78,7 +78,7 @@ eight_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float 
 }
 
 /* What all rays need, from o and d in the frame. size: S; way: S before the origin was moved. */
-eight_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way)
+fast_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way)
 {
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
@@ -114,7 +114,7 @@ static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
 
 /* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
  * was written waits for all that is under way. Sums are NaN or too large where any number is. */
-eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
+fast_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
     vec3 at = frame_into(&w->frame, r->o), d = {r->d.x, r->d.y, r->d.z};
     real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
@@ -131,7 +131,7 @@ eight_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip
 /* ---------------------------------------------------------------------------------------------- */
 
 /* What is left of it. */
-eight_inline ray bvh8_rest(const bvh8_ray *q)
+fast_inline ray bvh8_rest(const bvh8_ray *q)
 {
     return (ray){q->r->o, q->r->tmin, q->r->d, q->tmax};
 }
@@ -194,7 +194,7 @@ static bool bvh8_sphere(const shape *x, uint32_t i, bvh8_ray *q)
     return answer == SPHERE_HIT && bvh8_keep(q, h, i);
 }
 
-eight_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
+fast_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
     const bvh8_skip *but = q->skip;

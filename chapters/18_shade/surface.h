@@ -69,8 +69,7 @@ static inline real surface_margin(vec3 a, real L, real k)
 }
 
 /* a + u e + v f, all three weights (18.9) at least m [<= 1/8]. */
-__attribute__((always_inline))
-static inline vec3 surface_inside(vec3 a, vec3 e, vec3 f, real m, real u, real v)
+fast_inline vec3 surface_inside(vec3 a, vec3 e, vec3 f, real m, real u, real v)
 {
     u = real_max(u, m), v = real_max(v, m);
     real over = u + v - (1 - m);
@@ -96,8 +95,7 @@ static inline surface surface_on_triangle(triangle t, uint32_t index, real u, re
 }
 
 /* Field by field: what is copied as a whole right after it was written waits for all of it. */
-__attribute__((always_inline))
-static inline surface surface_copy(const surface *s)
+fast_inline surface surface_copy(const surface *s)
 {
     return (surface){{s->p.x, s->p.y, s->p.z}, {s->n.x, s->n.y, s->n.z},
                      {s->ns.x, s->ns.y, s->ns.z}, s->error, s->noise, s->shape};
@@ -110,8 +108,7 @@ static inline surface surface_of_mesh(const mesh *m, hit h)
     return s;
 }
 
-__attribute__((always_inline))
-static inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
+fast_inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
 {
     vec3 n = vunit(vsub(p, b.c));
     p = vmadd(b.c, n, fabs(b.r));  /* sphere_point, which finds n on the way */
@@ -148,8 +145,7 @@ static inline surface surface_on_other(const shape_other *s, hit h, vec3 p, real
     return (surface){p, n, n, real_epsilon * (256 * D + 2 * surface_reach(p)), 0, h.shape};
 }
 
-__attribute__((always_inline))
-static inline surface surface_of_shape(const shape *s, ray r, hit h)
+fast_inline surface surface_of_shape(const shape *s, ray r, hit h)
 {
     vec3 p = ray_at(r, h.t);
     switch (s->kind) {

@@ -110,8 +110,7 @@ static inline void world_part_free(world_part *p)
 
 /* What was hit, put back on its shape. Never called: ray and hit, handed over as a whole right
  * after they were written, would wait for all that is under way. */
-__attribute__((always_inline))
-static inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
+fast_inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
 {
     const world_part *p = &t->w->part[x.part];
     return p->m ? surface_of_mesh(p->m, x.h) : surface_of_shape(&p->s->shapes[x.h.shape], r, x.h);
@@ -185,9 +184,8 @@ static any_hit_answer trace_part_asking(const tracer *t, const ray_program *g, c
 
 /* What is left to do after a part: nothing is met there (ignore), or *h is (accept; not if the kind
  * asks for the first: then h is untouched), and no other part matters (end). */
-__attribute__((always_inline))
-static inline any_hit_answer trace_part(const tracer *t, const ray_program *g, const world_part *p,
-                                        const ray *r, void *payload, hit *h)
+fast_inline any_hit_answer trace_part(const tracer *t, const ray_program *g, const world_part *p,
+                                      const ray *r, void *payload, hit *h)
 {
     if (!(p->mask & g->mask)) return ANY_HIT_IGNORE;
     if (g->any_hit && !p->opaque) return trace_part_asking(t, g, p, *r, payload, h);
@@ -196,8 +194,7 @@ static inline any_hit_answer trace_part(const tracer *t, const ray_program *g, c
 }
 
 /* For the same reason the hit is written where it shall lie. */
-__attribute__((always_inline))
-static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x)
+fast_inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x)
 {
     const ray_program *g = &t->program[kind];
     const world_part *part = t->w->part, *end = part + t->w->parts;

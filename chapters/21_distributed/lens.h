@@ -36,8 +36,7 @@ typedef struct { real radius, focus; } thin_lens;
 /* ---------------------------------------------------------------------------------------------- */
 
 /* t: from the eye to the plane of focus, in lengths of D. */
-__attribute__((always_inline))
-static inline ray lens_ray(camera c, thin_lens l, real x, real y, int nx, int ny, point2 u)
+fast_inline ray lens_ray(camera c, thin_lens l, real x, real y, int nx, int ny, point2 u)
 {
     ray r = camera_ray(c, x, y, nx, ny);
     if (l.radius == 0) return r;

@@ -169,20 +169,20 @@ static inline bool brdf_sample_local(const brdf *b, vec3 wo, real u, real v, vec
 
 /* ---- world directions ---- */
 
-brdf_inline vec3 brdf_value(const brdf *b, vec3 n, vec3 wi, vec3 wo)
+fast_inline vec3 brdf_value(const brdf *b, vec3 n, vec3 wi, vec3 wo)
 {
     shading_frame f = shading_frame_of(n);
     return brdf_value_local(b, to_local(f, wi), to_local(f, wo));
 }
 
-brdf_inline real brdf_pdf(const brdf *b, vec3 n, vec3 wi, vec3 wo)
+fast_inline real brdf_pdf(const brdf *b, vec3 n, vec3 wi, vec3 wo)
 {
     shading_frame f = shading_frame_of(n);
     return brdf_pdf_local(b, to_local(f, wi), to_local(f, wo));
 }
 
-brdf_inline bool brdf_sample(const brdf *b, vec3 n, vec3 wo, real u, real v, vec3 *wi, real *pdf,
-                               vec3 *weight)
+fast_inline bool brdf_sample(const brdf *b, vec3 n, vec3 wo, real u, real v, vec3 *wi, real *pdf,
+                             vec3 *weight)
 {
     shading_frame f = shading_frame_of(n);
     if (!brdf_sample_local(b, to_local(f, wo), u, v, wi, pdf, weight)) return false;

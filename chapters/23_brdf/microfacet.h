@@ -44,7 +44,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-brdf_inline vec3 fresnel_schlick(vec3 f0, real c)
+fast_inline vec3 fresnel_schlick(vec3 f0, real c)
 {
     real q = 1 - real_clamp(c, 0, 1), q5 = q * q * q * q * q;
     if (vzero(f0)) return f0;
@@ -52,13 +52,13 @@ brdf_inline vec3 fresnel_schlick(vec3 f0, real c)
 }
 
 /* A sum of squares, where the textbook's z^2 (a^2 - 1) + 1 is a difference (ggx_d_naive). */
-brdf_inline real ggx_d(real a, vec3 m)
+fast_inline real ggx_d(real a, vec3 m)
 {
     real x = m.x / a, y = m.y / a, k = x * x + y * y + m.z * m.z;
     return m.z > 0 ? 1 / (pi * a * a * k * k) : 0;
 }
 
-brdf_inline real ggx_s(real a, vec3 w)
+fast_inline real ggx_s(real a, vec3 w)
 {
     return sqrt(w.z * w.z + a * a * (w.x * w.x + w.y * w.y));
 }

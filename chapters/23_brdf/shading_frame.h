@@ -23,37 +23,35 @@ typedef struct { vec3 s, t, n; } shading_frame;
 /* ---------------------------------------------------------------------------------------------- */
 
 /* A bounce calls these several times. Large programs exceed what gcc inlines of its own will. */
-#define brdf_inline static inline __attribute__((always_inline))
-
-brdf_inline shading_frame shading_frame_of(vec3 n)
+fast_inline shading_frame shading_frame_of(vec3 n)
 {
     shading_frame f = {.n = n};
     vbasis(n, &f.s, &f.t);
     return f;
 }
 
-brdf_inline vec3 to_local(shading_frame f, vec3 w)
+fast_inline vec3 to_local(shading_frame f, vec3 w)
 {
     return (vec3){vdot(f.s, w), vdot(f.t, w), vdot(f.n, w)};
 }
 
-brdf_inline vec3 to_world(shading_frame f, vec3 w)
+fast_inline vec3 to_world(shading_frame f, vec3 w)
 {
     return vmadd(vmadd(vscale(f.s, w.x), f.t, w.y), f.n, w.z);
 }
 
 /* vunit without its rare case, and with the same result: that one gcc does not inline (20 ns). */
-brdf_inline vec3 unit_of(vec3 a) { return vscale(a, 1 / sqrt(vdot(a, a))); }
+fast_inline vec3 unit_of(vec3 a) { return vscale(a, 1 / sqrt(vdot(a, a))); }
 
-brdf_inline vec3 half_vector(vec3 wi, vec3 wo) { return unit_of(vadd(wi, wo)); }
+fast_inline vec3 half_vector(vec3 wi, vec3 wo) { return unit_of(vadd(wi, wo)); }
 
 /* wo.(wi + wo) = 1 + wi.wo = |wi + wo|^2 / 2. As a product, wo.h could round to below 0. */
-brdf_inline real half_angle(vec3 wi, vec3 wo)
+fast_inline real half_angle(vec3 wi, vec3 wo)
 {
     vec3 a = vadd(wi, wo);
     return sqrt(vdot(a, a)) / 2;
 }
 
-brdf_inline vec3 mirrored(vec3 wo, vec3 m) { return vsub(vscale(m, 2 * vdot(wo, m)), wo); }
+fast_inline vec3 mirrored(vec3 wo, vec3 m) { return vsub(vscale(m, 2 * vdot(wo, m)), wo); }
 
 #endif

@@ -117,8 +117,7 @@ static inline bool emitter_sphere_around(sphere s, vec3 p)
 }
 
 /* The point x, from the side that n [unit] looks to. */
-__attribute__((always_inline))
-static inline bool emitter_seen(const emitter *e, vec3 x, vec3 n, vec3 p, emitter_point *out)
+fast_inline bool emitter_seen(const emitter *e, vec3 x, vec3 n, vec3 p, emitter_point *out)
 {
     vec3 to = vsub(x, p), wi = vunit(to);
     if (!(vdot(n, wi) < 0)) return false;  /* its back; or x = p */
@@ -127,8 +126,7 @@ static inline bool emitter_seen(const emitter *e, vec3 x, vec3 n, vec3 p, emitte
 }
 
 /* A point of it, each part of its area as likely; n: where it shines from there. */
-__attribute__((always_inline))
-static inline vec3 emitter_at(const emitter *e, point2 u, vec3 *n)
+fast_inline vec3 emitter_at(const emitter *e, point2 u, vec3 *n)
 {
     *n = e->n;
     if (e->kind == EMITTER_RECTANGLE)
@@ -142,8 +140,7 @@ static inline vec3 emitter_at(const emitter *e, point2 u, vec3 *n)
     return vmadd(e->sphere.c, out, fabs(e->sphere.r));
 }
 
-__attribute__((always_inline))
-static inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_point *out)
+fast_inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_point *out)
 {
     if (!(e->area > 0)) return false;
     if (e->kind == EMITTER_SPHERE && e->sphere.r < 0 && !emitter_sphere_around(e->sphere, p))

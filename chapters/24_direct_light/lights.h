@@ -126,17 +126,15 @@ static inline bool lit_points_angle(lit_points points, const emitter *e)
 }
 
 /* True: the point x of e, which was chosen by `chance`. */
-__attribute__((always_inline))
-static inline bool lit_drawn(const emitter *e, const emitter_point *x, real chance, lit_draw *out)
+fast_inline bool lit_drawn(const emitter *e, const emitter_point *x, real chance, lit_draw *out)
 {
     out->wi = x->wi, out->pdf = out->per = x->pdf * chance, out->Le = e->Le, out->far = false;
     out->s = surface_copy(&x->s);
     return true;
 }
 
-__attribute__((always_inline))
-static inline bool lit_draw_of(const emitter *e, lit_points points, real chance, vec3 p, point2 u,
-                               lit_draw *out)
+fast_inline bool lit_draw_of(const emitter *e, lit_points points, real chance, vec3 p, point2 u,
+                             lit_draw *out)
 {
     emitter_point x;
     bool seen = lit_points_angle(points, e) ? emitter_by_angle(e, p, u, &x)
@@ -144,25 +142,22 @@ static inline bool lit_draw_of(const emitter *e, lit_points points, real chance,
     return seen && lit_drawn(e, &x, chance, out);
 }
 
-__attribute__((always_inline))
-static inline bool lit_lights_point(const lit_lights *l, lit_points points, size_t k, real chance,
-                                    vec3 p, point2 u, lit_draw *out)
+fast_inline bool lit_lights_point(const lit_lights *l, lit_points points, size_t k, real chance,
+                                  vec3 p, point2 u, lit_draw *out)
 {
     out->emitter = (uint32_t)k;
     return lit_draw_of(&l->emitter[k], points, chance, p, u, out);
 }
 
 /* The shadow ray. */
-__attribute__((always_inline))
-static inline ray lit_draw_ray(const surface *from, const lit_draw *x)
+fast_inline ray lit_draw_ray(const surface *from, const lit_draw *x)
 {
     return x->far ? leave(surface_copy(from), x->wi)
                   : leave_between(surface_copy(from), surface_copy(&x->s));
 }
 
-__attribute__((always_inline))
-static inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec3 p, point2 u,
-                                     lit_draw *out)
+fast_inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec3 p, point2 u,
+                                   lit_draw *out)
 {
     real chance;
     if (l->skies > 0) {
@@ -181,9 +176,8 @@ static inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec
 }
 
 /* Of x, at distance t from p, where the emitter is met at this cosine [> 0]. */
-__attribute__((always_inline))
-static inline real lit_lights_pdf(const lit_lights *l, lit_points points, uint32_t k, vec3 p,
-                                  real t, real cosine)
+fast_inline real lit_lights_pdf(const lit_lights *l, lit_points points, uint32_t k, vec3 p,
+                                real t, real cosine)
 {
     const emitter *e = &l->emitter[k];
     real pdf = lit_points_angle(points, e) ? emitter_pdf_angle(e, p) : t * t / (e->area * cosine);

@@ -233,8 +233,7 @@ static inline void lit_free(lit_scene *s)
 
 /* ---- rays ---- */
 
-__attribute__((always_inline))
-static inline surface lit_surface(const lit_scene *s, hit h)
+fast_inline surface lit_surface(const lit_scene *s, hit h)
 {
     const lit_face *k = &s->face[h.shape];
     vec3 p = surface_inside(k->a, k->e, k->f, k->margin, h.u, h.v);
@@ -245,9 +244,8 @@ static inline surface lit_surface(const lit_scene *s, hit h)
 
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
  * for all of them. */
-__attribute__((always_inline))
-static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t look,
-                             real t, lit_hit *out)
+fast_inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t look,
+                           real t, lit_hit *out)
 {
     real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
     out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);

@@ -88,9 +88,8 @@ static inline vec3 naive_through(vec3 a, vec3 weight)
 }
 
 /* Emission that a ray finds; *met: is there a surface? */
-__attribute__((always_inline))
-static inline vec3 naive_find(const naive_path *p, ray r, int bounces, lit_hit *x, bool *met,
-                              naive_counts *c)
+fast_inline vec3 naive_find(const naive_path *p, ray r, int bounces, lit_hit *x, bool *met,
+                            naive_counts *c)
 {
     naive_count(c, bounces);
     *met = lit_trace(p->scene, r, x);
@@ -101,9 +100,8 @@ static inline vec3 naive_find(const naive_path *p, ray r, int bounces, lit_hit *
 
 /* From x one direction on, wo the unit direction back; *weight = f cos / pdf. False: it brings
  * nothing. A direction that a shading normal sends through the surface does not either. */
-__attribute__((always_inline))
-static inline bool naive_direction(const naive_path *p, const lit_hit *x, vec3 wo, point2 u,
-                                   ray *next, vec3 *weight)
+fast_inline bool naive_direction(const naive_path *p, const lit_hit *x, vec3 wo, point2 u,
+                                 ray *next, vec3 *weight)
 {
     vec3 wi;
     shading_frame f = shading_frame_of(x->s.ns);
@@ -124,8 +122,7 @@ static inline naive_walk naive_start(const naive_path *p, ray eye)
     return (naive_walk){eye, {1, 1, 1}, {0, 0, 0}, -1, naive_dark(p->scene) && !p->spend_all};
 }
 
-__attribute__((always_inline))
-static inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, naive_counts *c)
+fast_inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, naive_counts *c)
 {
     if (w->ended) return false;
     lit_hit x = {.m = NULL};

@@ -116,8 +116,7 @@ static inline path_random path_start(const path_options *how, uint64_t seed, uin
     return r;
 }
 
-__attribute__((always_inline))
-static inline point2 path_pair(path_random *r)
+fast_inline point2 path_pair(path_random *r)
 {
     if (r->left > 0) return r->left--, sampler_pair(&r->pairs);
     real u = random_next(&r->own), v = random_next(&r->own);
@@ -153,8 +152,7 @@ static inline vec3 path_cut(vec3 c, real most)
 }
 
 /* (26.5), second half: light that the ray itself has met. */
-__attribute__((always_inline))
-static inline vec3 path_found(const path_tracer *t, const path_walk *w, const lit_hit *x)
+fast_inline vec3 path_found(const path_tracer *t, const path_walk *w, const lit_hit *x)
 {
     vec3 Le = x->m->Le;
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
@@ -182,10 +180,9 @@ static inline const lit_material *path_behind(const lit_hit *x)
 
 /* (26.5), first half. wo is local to f. g: of rough glass, which light may also reach from behind;
  * else NULL. */
-__attribute__((always_inline))
-static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
-                              shading_frame f, vec3 wo, const rough_glass *g, point2 u,
-                              path_counts *c)
+fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
+                            shading_frame f, vec3 wo, const rough_glass *g, point2 u,
+                            path_counts *c)
 {
     lit_draw l;
     c->light_draws++;
@@ -214,8 +211,7 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
 }
 
 /* False: the path ends here. */
-__attribute__((always_inline))
-static inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+fast_inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     if (t->how.roulette == ROULETTE_NONE) return true;
     vec3 carries = t->glass ? vscale(w->beta, 1 / w->squeezed) : w->beta;
@@ -272,9 +268,8 @@ static inline bool path_through_glass(const path_tracer *t, path_walk *w, const 
 }
 
 /* The next ray by the BRDF; false: nothing is reflected. */
-__attribute__((always_inline))
-static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit *x,
-                                path_random *s, path_counts *c)
+fast_inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit *x,
+                              path_random *s, path_counts *c)
 {
     const brdf *b = &x->m->f;
     vec3 wo = vneg(w->left == no_shape ? vunit(w->r.d) : w->r.d), wi, weight;
@@ -293,8 +288,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
 }
 
 /* What the ray meets, with what is left of beta there; false: nothing. */
-__attribute__((always_inline))
-static inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
+fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
 {
     if (!lit_trace_from(t->scene, w->r, w->left, x)) return false;
     if (t->glass && w->medium)
@@ -303,9 +297,8 @@ static inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
 }
 
 /* On from the hit x; false: the path ends there. */
-__attribute__((always_inline))
-static inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x, path_random *s,
-                           path_counts *c)
+fast_inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x, path_random *s,
+                         path_counts *c)
 {
     bool glass = t->glass && x->m->ior > 0;
     if (w->bounces >= t->how.bounces) return false;
@@ -322,8 +315,7 @@ static inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x,
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
-__attribute__((always_inline))
-static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     lit_hit x;
     bool met = path_meets(t, w, &x);

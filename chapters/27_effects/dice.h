@@ -53,7 +53,7 @@ static inline uint32_t dice_child(uint32_t node, uint32_t kind)
     return (uint32_t)(random_mix(16 * (uint64_t)node + kind + 1) >> 32);
 }
 
-effects_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
+fast_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
 {
     return random_mix(d->own ^ random_mix(random_step * (node * (uint64_t)64 + number + 1)));
 }

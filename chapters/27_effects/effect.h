@@ -17,9 +17,6 @@
 #ifndef EFFECT_H
 #define EFFECT_H
 
-/* A part of radiance.h: a copy wherever it is called, so that each mask has its own. */
-#define effects_inline __attribute__((always_inline)) static inline
-
 /* Whose ray it is: bit k of a mask is effect k. */
 enum {
     RAY_TO_LIGHT, RAY_TO_LAMP, RAY_MIRRORED, RAY_GLOSSY, RAY_REFRACTED, RAY_ABSORBED, RAY_SCATTERED,

@@ -69,7 +69,7 @@ static inline vec3 gather_left(const effects_stage *e, const media_set *in, real
 }
 
 /* The bodies on the side of the surface that d leads to: in front, or behind rough glass. */
-effects_inline const media_set *gather_in(const gather_hit *h, vec3 d)
+fast_inline const media_set *gather_in(const gather_hit *h, vec3 d)
 {
     return h->facets && h->behind && vdot(h->s.n, d) < 0 ? h->behind : &h->b->in;
 }
@@ -106,14 +106,14 @@ static inline vec3 gather_clear(const effects_stage *e, media_set in, ray r, boo
 }
 
 /* Does what begins or ends at p, near s, keep to one side of it? d: from p on. */
-effects_inline bool gather_aside(const surface *s, vec3 p, vec3 d)
+fast_inline bool gather_aside(const surface *s, vec3 p, vec3 d)
 {
     return vdot(s->n, vsub(p, s->p)) * vdot(s->n, d) > 0;
 }
 
 /* Not `from` and the lamp, where leave_between (18) has both ends on the sides that see each
  * other. */
-effects_inline studio_but gather_but(const gather_hit *h, int kind, const lit_draw *x, ray r)
+fast_inline studio_but gather_but(const gather_hit *h, int kind, const lit_draw *x, ray r)
 {
     studio_but but = studio_but_none;
     if (gather_aside(&h->s, r.o, r.d)) but.from = h->flat;
@@ -123,8 +123,8 @@ effects_inline studio_but gather_but(const gather_hit *h, int kind, const lit_dr
 }
 
 /* False: nothing arrives. */
-effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, const lit_draw *x,
-                                  int kind, vec3 *left)
+fast_inline bool gather_passes(const gather_hit *h, const unsigned mask, const lit_draw *x,
+                               int kind, vec3 *left)
 {
     ray r = lit_draw_ray(&h->s, x);
     bool absorbs = (mask & EFFECT_ABSORPTION) && (mask & EFFECT_REFRACTION);
@@ -141,8 +141,8 @@ effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, cons
 
 /* f cos w of all parts, for light from wi that was drawn with this pdf; another draw finds it for
  * the highlight with pdf q. */
-effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
-                                    real q)
+fast_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
+                                 real q)
 {
     const appearance *k = h->k;
     real c = vdot(h->s.ns, wi);
@@ -181,8 +181,8 @@ static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, rea
 }
 
 /* (27.8), of a light, a lamp or the sky. */
-effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, int kind,
-                                  const lit_draw *x, real q)
+fast_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, int kind,
+                               const lit_draw *x, real q)
 {
     vec3 v = {0, 0, 0}, left;
     if ((mask & EFFECT_GLOSSY) && h->facets) {
@@ -215,7 +215,7 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     return gather_sample(&alone, mask, RAY_TO_SKY, &x, sky_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
 }
 
-effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
+fast_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
     const appearance *k = h->k;
     const effects_stage *e = h->e;
@@ -247,7 +247,7 @@ effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
 
 /* Light that the ray itself has met; q: the pdf with which a shadow ray would have. `by`: the
  * effect whose shadow rays these are. */
-effects_inline real gather_found(const unsigned mask, const branch *b, unsigned by, real q)
+fast_inline real gather_found(const unsigned mask, const branch *b, unsigned by, real q)
 {
     if (!(b->pdf < real_infinity)) return 1;
     if (b->kind == RAY_SCATTERED && !(mask & by)) return 0;
@@ -255,7 +255,7 @@ effects_inline real gather_found(const unsigned mask, const branch *b, unsigned 
 }
 
 /* Nothing is met. A background is for the eye, also in mirrors: it lights nobody. */
-effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, const branch *b)
+fast_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, const branch *b)
 {
     const effects_sky *s = &e->s->sky;
     vec3 L = sky_radiance(s, b->r.d);
@@ -270,8 +270,8 @@ effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, 
     return L;
 }
 
-effects_inline vec3 gather_emitted(const effects_stage *e, const unsigned mask, const branch *b,
-                                   const appearance *a, studio_hit x, const surface *s)
+fast_inline vec3 gather_emitted(const effects_stage *e, const unsigned mask, const branch *b,
+                                const appearance *a, studio_hit x, const surface *s)
 {
     vec3 L = a->emits;
     if (vzero(L) || !(mask & (EFFECT_INDIRECT | EFFECT_GLOSSY)) || !(b->pdf < real_infinity))

@@ -95,7 +95,7 @@ static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 }
 
 /* The side of a lamp that p is on shines there, whichever way the file had it turned. */
-effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lit_draw *out)
+fast_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lit_draw *out)
 {
     real chance;
     out->emitter = (uint32_t)lit_lights_choose(&l->of, u.u, &chance, &u.u);

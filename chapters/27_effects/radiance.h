@@ -31,8 +31,8 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Is a branch of this weight worth a ray? By chance: then what survives stands for the rest. */
-effects_inline bool effects_follows(const gather_hit *h, const unsigned mask, dice_purpose purpose,
-                                    vec3 *weight)
+fast_inline bool effects_follows(const gather_hit *h, const unsigned mask, dice_purpose purpose,
+                                 vec3 *weight)
 {
     vec3 w = *weight;
     real least = h->e->least;
@@ -48,8 +48,8 @@ effects_inline bool effects_follows(const gather_hit *h, const unsigned mask, di
 
 /* Field by field: a copy of the whole would wait for what was just written (19). Black weight: its
  * depth is the last. */
-effects_inline void effects_child(const gather_hit *h, const unsigned mask, int kind, vec3 side,
-                                  vec3 d, vec3 weight, branch *c)
+fast_inline void effects_child(const gather_hit *h, const unsigned mask, int kind, vec3 side,
+                               vec3 d, vec3 weight, branch *c)
 {
     const branch *b = h->b;
     c->r.o = leave_point(h->s, side, h->more), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
@@ -63,15 +63,15 @@ effects_inline void effects_child(const gather_hit *h, const unsigned mask, int 
 
 /* It goes on as it came: what it meets is weighted as if nothing had been in its way, since nothing
  * is in that of a shadow ray. */
-effects_inline void effects_straight_on(const gather_hit *h, branch *c)
+fast_inline void effects_straight_on(const gather_hit *h, branch *c)
 {
     c->pdf = h->b->pdf, c->cosine = h->b->cosine;
     c->way = h->b->way + vlength(vsub(h->s.p, h->b->r.o));
 }
 
 /* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
-effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int kind, vec3 colour,
-                                  branch *c)
+fast_inline int effects_spread(const gather_hit *h, const unsigned mask, int kind, vec3 colour,
+                               branch *c)
 {
     vec3 weight = vmul(h->b->weight, colour), wi, part = {1, 1, 1};
     bool glossy = kind == RAY_GLOSSY;
@@ -94,8 +94,8 @@ effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int 
 }
 
 /* Through the surface; back where all is reflected. */
-effects_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
-                                   bool bends, branch *c)
+fast_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
+                                bool bends, branch *c)
 {
     vec3 weight = vmul(h->b->weight, h->k->through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
@@ -132,8 +132,8 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
 
 /* The material at this angle: itself, or with Fresnel *k, of which the colours are set (gcc copies
  * the whole word by word). x is set if it bends. */
-effects_inline const appearance *effects_angle(const gather_hit *h, const unsigned mask,
-                                               const snell *x, bool bends, appearance *k)
+fast_inline const appearance *effects_angle(const gather_hit *h, const unsigned mask,
+                                            const snell *x, bool bends, appearance *k)
 {
     const appearance *a = h->a;
     if (!a->fresnel) return a;
@@ -169,8 +169,8 @@ static inline int effects_black_last(branch child[4], int n)
 }
 
 /* Its children, the one to be traced first last. */
-effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
-                                    bool bends, branch child[4])
+fast_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
+                                 bool bends, branch child[4])
 {
     const unsigned calls = mask & EFFECTS_SPEND ? mask : mask & h->a->calls;
     int n = 0;
@@ -218,8 +218,8 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
 
 /* One ray: adds what it brings to *sum; how many children. Structs are read and written field by
  * field: as effects_child. */
-effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
-                                branch child[4], const dice *d, effects_counts *c)
+fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
+                             branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
     c->rays[b->kind]++;
@@ -288,8 +288,8 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
 /* The children of a hit are written beside it, so that the next is at hand without being copied. Of
  * each level at most three wait, and all together weigh, on average, no more than the eye's ray:
  * what would be one too many is dropped. */
-effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
-                                     const unsigned mask, const dice *d, effects_counts *c)
+fast_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
+                                  const unsigned mask, const dice *d, effects_counts *c)
 {
     branch stack[stage_most_waiting], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};

@@ -99,8 +99,8 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
 
 /* Does light change its way at a surface of this look, between two media? As a body; sheets do not
  * bend. A face with one medium on both sides is none: it stops shadow rays all the same. */
-effects_inline bool stage_bends(const effects_stage *e, const appearance *a, bool body,
-                                uint32_t inside, uint32_t to)
+fast_inline bool stage_bends(const effects_stage *e, const appearance *a, bool body,
+                             uint32_t inside, uint32_t to)
 {
     return a->bends
         || (body && inside != to && (e->media[inside].ior != 1 || e->media[to].ior != 1));

@@ -119,7 +119,7 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
 
 /* Nearer, not as near: the first keeps it, and ends the ray. Field by field: a copy of the whole
  * would wait for what the search has just written. */
-effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
+fast_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
 {
     if (*found && h.t == r->tmax) return;
     *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
@@ -127,14 +127,14 @@ effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found,
 }
 
 /* What `but` says of the tree of one place. */
-effects_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
+fast_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
 {
     uint32_t to = but.to.place == place ? but.to.index : no_shape;
     return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
 }
 
-effects_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but but,
-                                        studio_hit *out)
+fast_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but but,
+                                     studio_hit *out)
 {
     bool found = false;
     hit h;
@@ -152,7 +152,7 @@ effects_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but
     return found;
 }
 
-effects_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
+fast_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
 {
     const bvh8_skip own = studio_skip(but, no_shape);
     if (t->all->n && bvh8_ask_at(&t->part->tree, r, own, NULL, NULL)) return true;
@@ -170,7 +170,7 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 }
 
 /* Of moved meshes and solids none is left out: their places have no tree that asks. */
-effects_inline studio_face studio_flat_face(const studio_tree *t, studio_hit x)
+fast_inline studio_face studio_flat_face(const studio_tree *t, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &t->s->shape[x.h.shape] : NULL;
     bool flat = !s || s->kind == SHAPE_TRIANGLE
@@ -223,7 +223,7 @@ static inline surface studio_surface_placed(const studio_tree *t, ray r, studio_
 }
 
 /* Shapes without a call, which would copy ray and hit. */
-effects_inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
+fast_inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
 {
     return x.place == no_shape ? surface_of_shape(&t->s->shape[x.h.shape], r, x.h)
                                : studio_surface_placed(t, r, x);

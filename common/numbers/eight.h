@@ -76,9 +76,8 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 #define EIGHT_NAME(name, number) EIGHT_PASTE(name, number)
 #define EIGHT(name) EIGHT_NAME(name, EIGHT_DIALECT)
 
-/* Of what a search of some ten nanoseconds calls: a call would write and read the ray. */
-#define eight_inline __attribute__((always_inline)) static inline
-#define EIGHT_INLINE EIGHT_TARGET eight_inline
+/* The same for a dialect. */
+#define EIGHT_INLINE EIGHT_TARGET fast_inline
 
 /* Warns that other compilers would hand over eight floats otherwise; nobody else is called. */
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -88,7 +87,7 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 /* Loops of one operation: gcc and clang make one instruction of each, with -O2. (A pointer: handed
  * over by value, eight floats take other ways on other processors, and compilers say so.) */
 #define EIGHT_LANES(name, result)                                                   \
-    eight_inline eight name(const eight *x)                                         \
+    fast_inline eight name(const eight *x)                                          \
     {                                                                               \
         eight out;                                                                  \
         for (int k = 0; k < 8; k++) { float a = x[0][k], b = x[1][k]; out[k] = result; } \
@@ -109,7 +108,7 @@ EIGHT_LANES(eight_fma, a * b + x[2][k])
 #else
 #define BYTES16(a, b, ...) __builtin_shuffle(a, b, (bytes16){__VA_ARGS__})
 #endif
-eight_inline eight_set eight_bits(const eight_whole *x)
+fast_inline eight_set eight_bits(const eight_whole *x)
 {
     bytes16 half[2];
     eight_set m;
@@ -121,16 +120,16 @@ eight_inline eight_set eight_bits(const eight_whole *x)
 }
 
 /* All four at once: one by one takes five instructions more. */
-eight_inline floats4 floats4_of(vec3 a)
+fast_inline floats4 floats4_of(vec3 a)
 {
     typedef real reals4 __attribute__((vector_size(4 * sizeof(real))));
     return __builtin_convertvector(((reals4){a.x, a.y, a.z, 1}), floats4);
 }
 
-eight_inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
+fast_inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
 
 /* From -most to most; NaN stays NaN. (For AVX-512 gcc 12 makes two instructions of each loop.) */
-eight_inline floats4 floats4_within(floats4 a, float most)
+fast_inline floats4 floats4_within(floats4 a, float most)
 {
 #if EIGHT_X86
     return _mm_max_ps(_mm_set1_ps(-most), _mm_min_ps(_mm_set1_ps(most), a));

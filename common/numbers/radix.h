@@ -31,8 +31,7 @@ enum { radix_few = 48, radix_most_drawers = 6 << 11 };
 
 /* A record begins with its key. `key64`, `size` and `digit` are known where this is called, so that
  * a record is moved by one or two instructions. */
-__attribute__((always_inline))
-static inline uint64_t radix_key(const void *record, bool key64)
+fast_inline uint64_t radix_key(const void *record, bool key64)
 {
     uint64_t w;
     uint32_t k;
@@ -40,8 +39,7 @@ static inline uint64_t radix_key(const void *record, bool key64)
     return memcpy(&k, record, sizeof k), k;
 }
 
-__attribute__((always_inline))
-static inline void radix_insert(char *record, size_t n, size_t size, bool key64)
+fast_inline void radix_insert(char *record, size_t n, size_t size, bool key64)
 {
     for (size_t i = 1; i < n; i++) {
         char moved[sizeof(radix_code)];
@@ -54,9 +52,8 @@ static inline void radix_insert(char *record, size_t n, size_t size, bool key64)
     }
 }
 
-__attribute__((always_inline))
-static inline void radix_sort(void *record, void *spare, size_t n, size_t size, bool key64,
-                              int digit)
+fast_inline void radix_sort(void *record, void *spare, size_t n, size_t size, bool key64,
+                            int digit)
 {
     uint32_t start[radix_most_drawers];
     int passes = ((key64 ? 64 : 32) + digit - 1) / digit;

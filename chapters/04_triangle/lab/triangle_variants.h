@@ -25,8 +25,7 @@
 
 /* (4.8), divided last: u and v are compared as numerators, with |det| instead of 1, in one branch.
  * And what people add to it: a margin round the triangle. */
-__attribute__((always_inline))
-static inline bool triangle_hit_patched(triangle tri, ray r, real margin, hit *out)
+fast_inline bool triangle_hit_patched(triangle tri, ray r, real margin, hit *out)
 {
     vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
     vec3 s1 = vcross(r.d, e2), s2 = vcross(s, e1);

@@ -19,9 +19,8 @@ static _Thread_local real csg_tolerance = (real)1e-9;
 /* ---------------------------------------------------------------------------------------------- */
 
 /* csg_hit, if `leaf` says what a solid's crossings are, and `merge` how two lists become one. */
-__attribute__((always_inline))
-static inline bool csg_hit_by(const csg *c, ray r, csg_leaf_function *leaf,
-                              csg_merge_function *merge, hit *out)
+fast_inline bool csg_hit_by(const csg *c, ray r, csg_leaf_function *leaf,
+                            csg_merge_function *merge, hit *out)
 {
     csg_crossing *list = NULL;
     size_t n = csg_walk(c, r, &list, leaf, merge);

@@ -59,8 +59,7 @@ static inline aabb_lanes aabb_lanes_of(ray r)
  * and the product: 3 u for each t, and one more u for the product that pads: 7 u < pad = 8 u. A NaN
  * comes as the first argument, and loses. n is a constant where this is inlined; gcc would unroll
  * so short a loop before it looks for vectors. */
-__attribute__((always_inline))
-static inline unsigned lanes_hit(const float *side, int n, aabb_lanes l, float *restrict t_enter)
+fast_inline unsigned lanes_hit(const float *side, int n, aabb_lanes l, float *restrict t_enter)
 {
     const float pad = 4 * FLT_EPSILON;
     const float *ax = side + n * l.enter[0], *bx = side + n * l.leave[0];

@@ -67,8 +67,7 @@ static inline double whole_error(vec3 d, const grid_walk *a)
     return worst;
 }
 
-__attribute__((always_inline))
-static inline drift drift_after(grid_step *step, size_t steps, size_t walks, uint64_t seed)
+fast_inline drift drift_after(grid_step *step, size_t steps, size_t walks, uint64_t seed)
 {
     enum { side = 1 << 20 };  /* of the lattice; cells of size 1 */
     lattice l = lattice_of((aabb){{0, 0, 0}, {side, side, side}}, (int[3]){side, side, side});

@@ -25,8 +25,7 @@ typedef void grid_step(grid_walk *w, real t);
 /* ---------------------------------------------------------------------------------------------- */
 
 /* As published: t += step. */
-__attribute__((always_inline))
-static inline void walk_step_naive(grid_walk *w, real t)
+fast_inline void walk_step_naive(grid_walk *w, real t)
 {
     if (w->t.x == t)
         walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
@@ -36,8 +35,7 @@ static inline void walk_step_naive(grid_walk *w, real t)
 }
 
 /* grid_search for rays that begin near. early: the first cell with a hit ends the search. */
-__attribute__((always_inline))
-static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out)
+fast_inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out)
 {
     if (g->entered == 0 || !ray_is_usable(r)) return false;
     grid_line a;

@@ -134,15 +134,13 @@ static inline void split_scale(splitter *s, size_t n)
 }
 
 /* The last one, if inf - inf or 0 times that is no number. */
-__attribute__((always_inline))
-static inline int bin_of(const splitter *s, const bvh_item *i, int way)
+fast_inline int bin_of(const splitter *s, const bvh_item *i, int way)
 {
     float at = way < 3 ? item_centre(i, way) : item_size(i);
     return (int)float_min((at - s->centres.side[way]) * s->scale[way], (float)(s->bins - 1));
 }
 
-__attribute__((always_inline))
-static inline void bin_add(const splitter *s, split_bins *b, const bvh_item *i, int way)
+fast_inline void bin_add(const splitter *s, split_bins *b, const bvh_item *i, int way)
 {
     int at = bin_of(s, i, way);
     box_add(&b[way].box[at], i);

@@ -51,8 +51,7 @@ static inline bool rung_block(const bvh8 *w, const bvh8_block *b, query *q, bool
 
 typedef struct { uint32_t child; float enter; } rung_waiting;
 
-__attribute__((always_inline))
-static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest, bool any)
+fast_inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest, bool any)
 {
     rung_waiting stack[bvh8_stack];
     int top = 1;

@@ -30,7 +30,7 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The ray of a sample of a pixel. */
-effects_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
+fast_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 {
     const effects_stage *e = j->e;
     point2 at = {0.5, 0.5}, on = {0, 0};
