@@ -30,7 +30,7 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 
 #define pi ((real)3.14159265358979323846)
 #define real_is_float (sizeof(real) == sizeof(float))
-/* A copy at each place that calls it: a call would write the ray anew, and cannot know constants. */
+/* A copy at each place that calls it: a call would write the ray anew, and knows no constants. */
 #define fast_inline __attribute__((always_inline)) static inline
 /* From 1 to the next real: 2.2e-16 or 1.2e-7. A rounded operation is off by half of it at most. */
 #define real_epsilon (real_is_float ? (real)FLT_EPSILON : (real)DBL_EPSILON)
