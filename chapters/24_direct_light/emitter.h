@@ -162,10 +162,8 @@ static inline real emitter_pdf_area(const emitter *e, vec3 p, vec3 x)
  * and power = D^2 - R^2, the first of two roots is at
  *     t = D cos - sqrt(R^2 - D^2 sin^2) = power / (D cos + sqrt(R^2 - D^2 sin^2)),         (24.6)
  * which does not cancel; x - c is t cos - D along the axis and t sin across. From within a sphere
- * that shines inwards: all directions, and the other root. (Not inlined: it is long, and most
- * lamps are no balls.) */
-__attribute__((noinline))
-static bool emitter_sphere_by_angle(const emitter *e, vec3 p, point2 u, emitter_point *out)
+ * that shines inwards: all directions, and the other root. */
+static inline bool emitter_sphere_by_angle(const emitter *e, vec3 p, point2 u, emitter_point *out)
 {
     sphere s = e->sphere;
     real R = fabs(s.r);

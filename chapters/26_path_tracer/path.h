@@ -225,10 +225,9 @@ fast_inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s, p
 }
 
 /* Off a facet or through it, which light samples find, too; false: it sends it to the wrong side.
- * Of two equal indices it is none. (Not inlined: path_radiance would be half as large again.) */
-__attribute__((noinline))
-static bool path_facet(const path_tracer *t, path_walk *w, const lit_hit *x, rough_glass g,
-                       path_random *s, path_counts *c, vec3 *wi, bool *through)
+ * Of two equal indices it is none. */
+static inline bool path_facet(const path_tracer *t, path_walk *w, const lit_hit *x, rough_glass g,
+                              path_random *s, path_counts *c, vec3 *wi, bool *through)
 {
     vec3 wo = vneg(vunit(w->r.d));
     real power;
