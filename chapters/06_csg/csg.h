@@ -10,16 +10,15 @@
  *   csg_solid_of(&c, h)          number of the solid whose surface was hit
  *   csg_normal(&c, r, h)         unit, out of the whole: turned where something was cut away
  *   csg_occluded(&c, r)          whether there is a crossing in [tmin, tmax]
- *   n = csg_spans(&c, r, &list)  all spans of the line, as in spans.h; the list stays until this
- *                                thread asks again
+ *   n = csg_spans(&c, r, list)   all spans of the line, as in spans.h; list: room for 2 c.room
  *
  * h.shape is the crossing's surface: see spans.h. Two things spare a ray work:
  *   - it skips a node whose bound it misses within [tmin, tmax], but for csg_options.no_bounds;
  *   - what is cut from nothing, or shared with nothing, is nothing: the right operand is skipped.
  * Within [tmin, tmax] the spans are the same with and without, bit for bit.
  *
- * A ray of a tree with n crossings at most takes room for 2 n of them, and a frame for each level,
- * from the thread's arena: no malloc. Cost: O(nodes + depth times crossings).
+ * A ray of a tree with n crossings at most takes room for 2 n of them, and a frame for each level:
+ * on the stack, if the tree is not large. Cost: O(nodes + depth times crossings).
  *
  *   input                                       answer
  *   d = 0; a NaN or an infinity in o or d       no spans, no hit
@@ -32,9 +31,9 @@
 #ifndef CSG_H
 #define CSG_H
 
-#include "arena.h"
 #include "tree.h"
 
+enum { csg_few = 64, csg_some = 4096 };  /* levels, crossings: what the stack holds of a ray */
 typedef struct { uint32_t node; bool right; size_t start, middle; } csg_frame;
 
 /* What rays of this thread did: for whoever wants to count. */
@@ -58,15 +57,11 @@ fast_inline size_t csg_join(const csg_node *x, csg_frame f, size_t n, csg_crossi
     return f.start + m;
 }
 
-/* The spans of the whole, right where r.tmin <= t <= r.tmax. `leaf` and `merge` are parameters for
- * those who want to try others. */
-fast_inline size_t csg_walk(const csg *c, ray r, csg_crossing **out, csg_leaf_function *leaf,
-                            csg_merge_function *merge)
+/* The spans of the whole, right where r.tmin <= t <= r.tmax. frame: room for c->depth + 1. */
+fast_inline size_t csg_walk(const csg *c, ray r, csg_frame *frame, csg_crossing *list,
+                            csg_leaf_function *leaf, csg_merge_function *merge)
 {
     if (!vfinite(r.o) || !vfinite(r.d) || vzero(r.d) || c->nodes == 0) return 0;
-    csg_frame *frame = csg_arena((c->depth + 1) * sizeof *frame
-                                 + 2 * c->room * sizeof(csg_crossing));
-    csg_crossing *list = *out = (csg_crossing *)(void *)(frame + c->depth + 1);
     csg_line line = csg_line_of(r);
     size_t n = 0, f = 0;
     for (uint32_t i = 0; i < c->nodes;) {
@@ -100,10 +95,13 @@ fast_inline size_t csg_walk(const csg *c, ray r, csg_crossing **out, csg_leaf_fu
     return n;
 }
 
-static inline size_t csg_spans(const csg *c, ray r, csg_crossing **list)
+static inline size_t csg_spans(const csg *c, ray r, csg_crossing *list)
 {
+    csg_frame *frame = allocate(c->depth + 1, sizeof *frame);
     r.tmin = -real_infinity, r.tmax = real_infinity;
-    return csg_walk(c, r, list, csg_solid_crossings, spans_merge);
+    size_t n = csg_walk(c, r, frame, list, csg_solid_crossings, spans_merge);
+    free(frame);
+    return n;
 }
 
 /* The interval cuts only here, when all is merged. */
@@ -117,11 +115,33 @@ static inline bool csg_first(const csg_crossing *list, size_t n, ray r, hit *out
     return false;
 }
 
+/* Of a ray of any tree. No calloc: a ray meets little of a large one. */
+__attribute__((noinline))
+static void *csg_memory(size_t n, size_t size)
+{
+    void *p = n < SIZE_MAX / size ? malloc(n * size) : NULL;
+    if (!p) die(1, "no memory for %zu times %zu bytes of a ray", n, size);
+    return p;
+}
+
+/* csg_hit, if `leaf` says what a solid's crossings are, and `merge` how two lists become one: for
+ * those who want to try others. */
+fast_inline bool csg_hit_by(const csg *c, ray r, csg_leaf_function *leaf,
+                            csg_merge_function *merge, hit *out)
+{
+    csg_frame few[csg_few], *frame = few;
+    csg_crossing some[csg_some], *list = some;
+    if (c->depth >= csg_few) frame = csg_memory(c->depth + 1, sizeof *frame);
+    if (2 * c->room > csg_some) list = csg_memory(2 * c->room, sizeof *list);
+    bool is = csg_first(list, csg_walk(c, r, frame, list, leaf, merge), r, out);
+    if (frame != few) free(frame);
+    if (list != some) free(list);
+    return is;
+}
+
 static inline bool csg_hit(const csg *c, ray r, hit *out)
 {
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, csg_solid_crossings, spans_merge);
-    return csg_first(list, n, r, out);
+    return csg_hit_by(c, r, csg_solid_crossings, spans_merge, out);
 }
 
 static inline bool csg_occluded(const csg *c, ray r) { return csg_hit(c, r, &(hit){0}); }

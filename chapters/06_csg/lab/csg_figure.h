@@ -25,11 +25,11 @@ static inline void csg_figure_bars(figure *g, csg_model m, uint32_t i, ray r)
     static const char *const fill[] = {FIGURE_RED, FIGURE_BLUE, FIGURE_GREEN, FIGURE_ORANGE};
     csg c;
     failure f;
-    csg_crossing *x = NULL;
+    csg_crossing x[64];
     uint32_t size = csg_spot[i].size;
     csg_model part = {m.solid, m.solids, m.step + i + 1 - size, size};
     if (!csg_build(part, (csg_options){0}, &c, &f)) fail(f);
-    size_t n = csg_spans(&c, r, &x);
+    size_t n = csg_spans(&c, r, x);
     bool leaf = m.step[i].what == CSG_SOLID;
     for (size_t k = 0; k + 1 < n; k += 2) {
         double t0 = fmax((double)x[k].t, -csg_reach), t1 = fmin((double)x[k + 1].t, csg_reach);

@@ -18,15 +18,6 @@ static _Thread_local real csg_tolerance = (real)1e-9;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* csg_hit, if `leaf` says what a solid's crossings are, and `merge` how two lists become one. */
-fast_inline bool csg_hit_by(const csg *c, ray r, csg_leaf_function *leaf,
-                            csg_merge_function *merge, hit *out)
-{
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, leaf, merge);
-    return csg_first(list, n, r, out);
-}
-
 /* What first.h keeps of a list. An odd rest never ends: the walk counts on from its beginning. */
 static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t first,
                                          csg_crossing *out)
