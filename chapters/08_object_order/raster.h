@@ -11,8 +11,12 @@
  * The same type `hit`, so that the same shading serves both orders. c: a perspective camera. At
  * equal stored depths the triangle drawn first, the one of the lower number, stays.
  *
- * raster_how: bits [1, 16] of a pixel to which corners are snapped; the depth format; the near
- * plane, a depth > 0 before which nothing is drawn; and one more plane to clip by (n = 0: none).
+ * Stored is near / z in float: 1 at the near plane, 0 at infinity. Floats are dense near 0, and
+ * there near / z crowds what is far. So 1e-7 of the distance is told at any distance; of 1 - near /
+ * z, as was usual, what far things differ by is lost beside the 1                         (8.5).
+ *
+ * raster_how: bits [1, 16] of a pixel to which corners are snapped; the near plane, a depth > 0
+ * before which nothing is drawn; and one more plane to clip by (n = 0: none).
  *
  *   both sides of a triangle count          no area in the picture, NaN, infinity: not drawn
  *   a mesh of 2^32 - 2 triangles at most    pictures of up to 8192 x 8192
@@ -27,26 +31,26 @@
  * Sources: J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988 (edge
  * functions); Microsoft, Direct3D 11.3 Functional Specification, 3.4.2 (top-left rule, 8 bits);
  * J. Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992; C. Burns, W. Hunt, "The Visibility
- * Buffer", JCGT 2(2), 2013.
+ * Buffer", JCGT 2(2), 2013; E. Lapidous, G. Jiao, "Optimal Depth Buffer for Low-Cost Graphics
+ * Hardware", Graphics Hardware 1999.
  */
 #ifndef RASTER_H
 #define RASTER_H
 
 #include "../02_camera/camera.h"
 #include "../07_mesh/mesh.h"
-#include "depth_format.h"
 #include "first.h"
 #include "raster_clip.h"
 
-typedef struct { int bits; depth_format depth; real near; plane also; } raster_how;
+typedef struct { int bits; real near; plane also; } raster_how;
 
-/* near / z in float has its precision everywhere, so the near plane may be as near as this. */
-static const raster_how raster_default = {8, DEPTH_REVERSED, (real)0.001, {{0, 0, 0}, {0, 0, 0}}};
+/* The depth has its precision everywhere, so the near plane may be as near as this. */
+static const raster_how raster_default = {8, (real)0.001, {{0, 0, 0}, {0, 0, 0}}};
 
 typedef struct {
     int nx, ny;
     hit *h;                  /* [ny][nx] */
-    uint32_t *key;           /* [ny][nx] stored depths: see depth_format.h */
+    float *depth;            /* [ny][nx] near / z; -1: nothing seen */
     size_t asked, covered;   /* pixels: in rectangles; of these inside the triangle */
 } raster;
 
@@ -55,12 +59,12 @@ typedef struct {
 static inline raster raster_new(int nx, int ny)
 {
     size_t n = (size_t)nx * (size_t)ny;
-    raster s = {nx, ny, allocate(n, sizeof *s.h), allocate(n, sizeof *s.key), 0, 0};
-    for (size_t k = 0; k < n; k++) s.h[k] = hit_none, s.key[k] = depth_farthest;
+    raster s = {nx, ny, allocate(n, sizeof *s.h), allocate(n, sizeof *s.depth), 0, 0};
+    for (size_t k = 0; k < n; k++) s.h[k] = hit_none, s.depth[k] = -1;
     return s;
 }
 
-static inline void raster_free(raster *s) { free(s->h), free(s->key), *s = (raster){0}; }
+static inline void raster_free(raster *s) { free(s->h), free(s->depth), *s = (raster){0}; }
 
 enum { raster_reach = 1 << 30 };  /* steps: products of their differences fit into 64 bits */
 
@@ -135,11 +139,11 @@ static inline void raster_pixel_seen(const raster_job *j, size_t k, const raster
                                      real u, real v, uint32_t number)
 {
     real iz = w * p[0].iz + u * p[1].iz + v * p[2].iz;
-    uint32_t key = depth_key(j->how.depth, j->how.near * iz);
+    float depth = (float)(j->how.near * iz);
     j->s->covered++;
-    if (key >= j->s->key[k]) return;
+    if (depth <= j->s->depth[k]) return;
     real a = w * p[0].iz / iz, b = u * p[1].iz / iz, c = v * p[2].iz / iz;
-    j->s->key[k] = key;
+    j->s->depth[k] = depth;
     j->s->h[k] = (hit){1 / (iz * j->c.d), a * p[0].u + b * p[1].u + c * p[2].u,
                        a * p[0].v + b * p[1].v + c * p[2].v, number};
 }

@@ -3,7 +3,7 @@
  *
  *   orders_measure(&o)       the main table: pixels that differ, time
  *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
- *   orders_depths(&o)        a plot: the smallest gap that each depth format tells, against depth
+ *   orders_depths(&o)        a plot: the gap that a stored depth tells, against depth
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
  */
 #ifndef ORDERS_MEASURE_H
@@ -114,56 +114,22 @@ static inline void orders_times(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Two walls across the view, at z and (1 + gap) z, the far one drawn first: does the near one win
- * everywhere? */
-static inline bool orders_told(depth_format f, real near, real z, real gap)
+/* The gap that floats tell at depth z, a share of z: (8.5), dx from one float to the next. usual:
+ * of 1 - near / z, else of near / z, as raster.h stores it. */
+static inline double orders_depth_gap(bool usual, double near, double z)
 {
-    const real depth[2] = {z + gap * z, z};
-    vec3 v[6];
-    uint32_t index[6] = {0, 1, 2, 3, 4, 5};
-    camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -1, 1, -1, 1, 1,
-                {0, 0, 0}};
-    raster_how how = {8, f, near, {{0, 0, 0}, {0, 0, 0}}};
-    for (int k = 0; k < 2; k++) {
-        real s = depth[k];
-        v[3 * k] = (vec3){-4 * s, -2 * s, -s}, v[3 * k + 1] = (vec3){4 * s, -2 * s, -s};
-        v[3 * k + 2] = (vec3){0, 4 * s, -s};
-    }
-    mesh m = {.v = v, .vertices = 6, .index = index, .triangles = 2};
-    raster s = raster_new(8, 8);
-    bool won = true;
-    raster_mesh(&s, &m, c, how);
-    for (int k = 0; k < 64; k++) won = won && s.h[k].shape == 1;
-    raster_free(&s);
-    return won;
-}
-
-/* The least gap, a share of z, that is told: by halving, between 1e-9 and 1; infinity: none. It
- * depends on where z falls between two steps, so the mean of five depths. */
-static inline double orders_gap_of(depth_format f, real near, double z)
-{
-    double sum = 0;
-    for (int i = 0; i < 5; i++) {
-        double at = z * (1 + 0.037 * i), lo = 1e-9, hi = 1;
-        if (!orders_told(f, near, (real)at, (real)hi)) return HUGE_VAL;
-        while (hi / lo > 1.02) {
-            double middle = sqrt(lo * hi);
-            if (orders_told(f, near, (real)at, (real)middle)) hi = middle;
-            else lo = middle;
-        }
-        sum += hi / 5;
-    }
-    return sum;
+    float x = (float)(usual ? 1 - near / z : near / z);
+    return z / near * (double)(nextafterf(x, 2) - x);
 }
 
 static inline void orders_depths(const options *o)
 {
-    plot p = plot_new("Least gap that a depth buffer tells, near = 0.01", "depth z",
-                      "gap [share of z]", PLOT_LOG_X | PLOT_LOG_Y);
-    for (depth_format f = 0; f < depth_formats; f++) {
-        int series = plot_series(&p, depth_name[f]);
+    plot p = plot_new("Gap that a depth buffer tells, near = 0.01", "depth z", "gap [share of z]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    for (int usual = 0; usual < 2; usual++) {
+        int series = plot_series(&p, usual ? "1 - near/z, float" : "near/z, float");
         for (double z = 0.1; z < 2e4; z *= 10)
-            plot_add(&p, series, z, orders_gap_of(f, (real)0.01, z));
+            plot_add(&p, series, z, orders_depth_gap(usual, 0.01, z));
     }
     output_plot(o, &p, "08_object_order_depth.svg");
 }
