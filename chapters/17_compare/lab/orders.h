@@ -46,7 +46,7 @@ static inline double race_drawn(void *context)
 {
     race *t = context;
     raster *s = &t->s;
-    for (int k = 0; k < s->nx * s->ny; k++) s->h[k] = hit_none, s->key[k] = depth_farthest;
+    for (int k = 0; k < s->nx * s->ny; k++) s->h[k] = hit_none, s->depth[k] = -1;
     s->asked = s->covered = 0;
     raster_mesh(s, &t->w.mesh, t->c, raster_default);
     return (double)s->h[0].t;
