@@ -20,6 +20,13 @@
  *   triangle_hit_sheared(tri, &s, r, &h)
  *   triangle_hit_corners(&a, &b, &c, &s, r, &h)    corners read where they lie: the fastest
  *   triangle_normal(tri)                           unit (b - a) x (c - a)
+ *   triangle_at(tri, u, v)                         the point (4.6): within some epsilon of the
+ *                                                  triangle, however far away the ray began
+ *   triangle_weights(tri, p)                       w, u, v of p, or of its foot, as a vec3: the
+ *                                                  signed areas opposite a, b, c over the whole
+ *                                                  (4.11); of a triangle without area NaN. They sum
+ *                                                  to 1 all over the plane, by the way they are
+ *                                                  computed: p is inside if none is negative
  *
  *   input                                          answer
  *   no area: two or three corners the same, or     no hit, normal (0,0,0): what is hit has a normal
@@ -35,7 +42,8 @@
  * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1),
  * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013;
  * J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
- * Discrete & Computational Geometry 18, 1997.
+ * Discrete & Computational Geometry 18, 1997; S. Marschner, P. Shirley, "Fundamentals of Computer
+ * Graphics", 4th ed., 2015, 2.7 (weights).
  */
 #ifndef TRIANGLE_H
 #define TRIANGLE_H
@@ -111,20 +119,39 @@ static inline vec3 triangle_normal(triangle tri)
     return vunit(triangle_cross(tri.a, tri.b, tri.c));
 }
 
+/* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all corners. */
+static inline vec3 triangle_at(triangle tri, real u, real v)
+{
+    return barycentric_mix(tri.a, tri.b, tri.c, u, v);
+}
+
+/* n . (edge x (p - corner)) for the edges opposite a, b, c, n = (b - a) x (c - a): n . n times the
+ * weights. */
+static inline vec3 triangle_areas(triangle tri, vec3 n, vec3 p)
+{
+    return (vec3){vdot(n, vcross(vsub(tri.c, tri.b), vsub(p, tri.b))),
+                  vdot(n, vcross(vsub(tri.a, tri.c), vsub(p, tri.c))),
+                  vdot(n, vcross(vsub(tri.b, tri.a), vsub(p, tri.a)))};
+}
+
+static inline vec3 triangle_weights(triangle tri, vec3 p)
+{
+    vec3 n = plane_through(tri.a, tri.b, tri.c).n, area = triangle_areas(tri, n, p);
+    real whole = vdot(n, n);
+    return (vec3){area.x / whole, area.y / whole, area.z / whole};
+}
+
 /* Plane, then inside: p is left of each edge as seen from the tip of n, so the three signed areas
- * n . (edge x (p - corner)) are not negative (4.7). Divided by n . n they are the barycentrics.
- * Slips: p is rounded, so it lies off the plane, and each triangle computes its own p. */
+ * are not negative (4.7). Slips: p is rounded, so it lies off the plane, and each triangle computes
+ * its own p. */
 static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
 {
     plane s = plane_through(tri.a, tri.b, tri.c);
     hit h;
     if (!plane_hit(s, r, &h)) return false;
-    vec3 p = ray_at(r, h.t);
-    real wa = vdot(s.n, vcross(vsub(tri.c, tri.b), vsub(p, tri.b)));
-    real wb = vdot(s.n, vcross(vsub(tri.a, tri.c), vsub(p, tri.c)));
-    real wc = vdot(s.n, vcross(vsub(tri.b, tri.a), vsub(p, tri.a)));
-    if (!(real_min(real_min(wa, wb), wc) >= 0)) return false;  /* one branch: see signs_differ */
-    *out = (hit){h.t, wb / vdot(s.n, s.n), wc / vdot(s.n, s.n), 0};
+    vec3 k = triangle_areas(tri, s.n, ray_at(r, h.t));
+    if (!(real_min(real_min(k.x, k.y), k.z) >= 0)) return false;  /* one branch: see signs_differ */
+    *out = (hit){h.t, k.y / vdot(s.n, s.n), k.z / vdot(s.n, s.n), 0};
     return true;
 }
 

@@ -31,7 +31,7 @@
 #ifndef MONTE_CARLO_SAMPLING_H
 #define MONTE_CARLO_SAMPLING_H
 
-#include "../04_triangle/barycentrics.h"
+#include "../04_triangle/triangle.h"
 #include "first.h"
 
 /* Its size: sin^2(angle / 2), the angle being the one between axis and side, in (0, pi]. */

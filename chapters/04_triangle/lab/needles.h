@@ -18,7 +18,7 @@
 #define TRIANGLE_NEEDLES_H
 
 #include "../../../common/numbers/wide.h"
-#include "../barycentrics.h"
+#include "../triangle.h"
 #include "slips.h"
 
 typedef struct { double t, u, v, w, cosine; } triangle_exact_hit;  /* of ray and normal: |cosine| */

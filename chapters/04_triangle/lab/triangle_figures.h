@@ -1,5 +1,5 @@
 /* triangle_figures.h: the two drawings that explain: weights as areas, and the edge functions. The
- * numbers in them are those that barycentrics_of and the watertight test compute.
+ * numbers in them are those that triangle_weights and the watertight test compute.
  *
  *   triangle_draw_areas(&o)    a point inside, and one outside: w, u, v as areas (4.6), (4.11)
  *   triangle_draw_edges(&o)    two triangles seen along a ray (4.9), and their edge functions
@@ -9,7 +9,6 @@
 #define TRIANGLE_FIGURES_H
 
 #include "../../../common/lab/figure.h"
-#include "../barycentrics.h"
 #include "../triangle.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -53,18 +52,18 @@ static inline void triangle_draw_areas(const options *o)
     figure g = figure_begin(o, "04_triangle_areas.svg", 820, 360);
     for (int k = 0; k < 2; k++) {
         vec3 p = k ? outside : inside;
-        barycentrics n = barycentrics_of(t, p);
+        vec3 n = triangle_weights(t, p);
         figure_origin(&g, k ? 440 : 40, 300, 150);
-        figure_area(&g, p, t.c, t.a, FIGURE_GREEN, "u", n.u);
-        figure_area(&g, p, t.a, t.b, FIGURE_BLUE, "v", n.v);
+        figure_area(&g, p, t.c, t.a, FIGURE_GREEN, "u", n.y);
+        figure_area(&g, p, t.a, t.b, FIGURE_BLUE, "v", n.z);
         figure_corners(&g, t);
-        figure_area(&g, p, t.b, t.c, FIGURE_RED, "w", n.w);
+        figure_area(&g, p, t.b, t.c, FIGURE_RED, "w", n.x);
         figure_dot(&g, (double)p.x, (double)p.y, 4, FIGURE_BLACK);
         figure_text(&g, (double)p.x, (double)p.y, 8, -6, FIGURE_LEFT, FIGURE_BLACK, "*p*");
         figure_print(&g, 0.95, 0, 0, 46, FIGURE_MIDDLE, FIGURE_BLACK,
                       k ? "outside: _w_ is negative, and the sum is still %.2f"
                         : "inside: none is negative; the sum is %.2f",
-                      (double)barycentrics_sum(n));
+                      (double)(n.x + n.y + n.z));
     }
     figure_end(&g);
 }
