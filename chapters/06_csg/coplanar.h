@@ -40,26 +40,22 @@ static inline bool coplanar_triangle(csg_plane g, triangle t)
     if ((g.n.x != 0) + (g.n.y != 0) + (g.n.z != 0) == 1) return a == 0 && b == 0 && c == 0;
     real far = real_max(real_max(vlength(t.a), vlength(t.b)), vlength(t.c));
     real room = 8 * real_epsilon * (vlength(g.n) * far + fabs(g.h));                 /* (6.7) */
-    return fabs(a) <= room && fabs(b) <= room && fabs(c) <= room;
-}
-
-static inline size_t coplanar_faces(const csg_solid *s)
-{
-    return s->kind == CSG_BOX ? 6 : s->kind == CSG_HALF;
+    return isfinite(g.h) && fabs(a) <= room && fabs(b) <= room && fabs(c) <= room;
 }
 
 static inline csg_plane coplanar_face(const csg_solid *s, size_t face)
 {
-    bool hi = s->kind == CSG_HALF || face % 2;
-    return (csg_plane){s->box.n[face / 2], (hi ? s->box.hi : s->box.lo)[face / 2]};
+    return (csg_plane){s->box.n[face / 2], (face % 2 ? s->box.hi : s->box.lo)[face / 2]};
 }
 
 /* n = 0: none. */
 static inline csg_plane coplanar_plane(const csg_solid *s, size_t solids, triangle t)
 {
-    for (size_t i = 0; i < solids; i++)
-        for (size_t k = 0; k < coplanar_faces(&s[i]); k++)
+    for (size_t i = 0; i < solids; i++) {
+        if (s[i].kind != CSG_BOX && s[i].kind != CSG_HALF) continue;
+        for (size_t k = 0; k < csg_solid_surfaces(&s[i]); k++)
             if (coplanar_triangle(coplanar_face(&s[i], k), t)) return coplanar_face(&s[i], k);
+    }
     for (int k = 0; k < 3; k++)
         if (vaxis(t.a, k) == vaxis(t.b, k) && vaxis(t.a, k) == vaxis(t.c, k))
             return (csg_plane){vwith((vec3){0, 0, 0}, k, 1), vaxis(t.a, k)};

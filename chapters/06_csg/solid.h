@@ -2,7 +2,7 @@
  *
  *   solid                                    points                       surfaces
  *   csg_sphere(c, r)                         |p - c| <= |r|               0
- *   csg_half(n, h)                           n . p <= h                   0     half space (半空间)
+ *   csg_half(n, h)                           n . p <= h                   1     half space (半空间)
  *   csg_box(lo, hi)                          lo <= p <= hi, each axis     0 to 5: x lo, x hi, y lo
  *   csg_box_turned(n, lo, hi)                lo[k] <= n[k] . p <= hi[k]   the same
  *   csg_cylinder(p, a, r)                    within |r| of the line       0     cylinder (圆柱)
@@ -56,7 +56,8 @@ static inline csg_solid csg_sphere(vec3 c, real r)
 
 static inline csg_solid csg_half(vec3 n, real h)
 {
-    return (csg_solid){.kind = CSG_HALF, .box = {.n = {n}, .hi = {h}}};
+    const real far = real_infinity;
+    return (csg_solid){.kind = CSG_HALF, .box = {{n}, {-far, -far, -far}, {h, far, far}}};
 }
 
 static inline csg_solid csg_box_turned(const vec3 n[3], const real lo[3], const real hi[3])
@@ -91,7 +92,7 @@ static inline size_t csg_solid_room(const csg_solid *s)
 
 static inline size_t csg_solid_surfaces(const csg_solid *s)
 {
-    return s->kind == CSG_MESH ? s->mesh.n : s->kind == CSG_BOX ? 6 : 1;
+    return s->kind == CSG_MESH ? s->mesh.n : s->kind == CSG_BOX ? 6 : s->kind == CSG_HALF ? 2 : 1;
 }
 
 /* Whether it holds any point: to be asked once, not for each ray. O(triangles). */
@@ -119,16 +120,8 @@ static inline size_t csg_span(real t0, uint32_t in, real t1, uint32_t out, csg_c
     return 2;
 }
 
-/* What lies between -inf and the plane, or between the plane and inf. */
-static inline size_t csg_half_crossings(vec3 n, real h, ray r, uint32_t first, csg_crossing *out)
-{
-    real along = vdot(n, r.d), t = (h - vdot(n, r.o)) / along;                       /* (6.4) */
-    if (along == 0) t = vdot(n, r.o) <= h ? real_infinity : -real_infinity, along = 1;
-    return along > 0 ? csg_span(-real_infinity, first, t, first, out)
-                     : csg_span(t, first, real_infinity, first, out);
-}
-
-/* Six half spaces, two by two, as opposite ones share n . o and n . d. */
+/* Six half spaces, two by two, as opposite ones share n . o and n . d. Of one half space the other
+ * five hold everything: n = 0, or h is infinite. */
 static inline size_t csg_box_crossings(const csg_solid *s, ray r, uint32_t first, csg_crossing *out)
 {
     real enter = -real_infinity, leave = real_infinity;
@@ -186,8 +179,7 @@ static inline size_t csg_solid_crossings(const csg_solid *s, ray r, uint32_t fir
     switch (s->kind) {
     case CSG_SPHERE:
         return sphere_roots(s->ball, r, &t0, &t1) ? csg_span(t0, first, t1, first, out) : 0;
-    case CSG_HALF: return csg_half_crossings(s->box.n[0], s->box.hi[0], r, first, out);
-    case CSG_BOX: return csg_box_crossings(s, r, first, out);
+    case CSG_HALF: case CSG_BOX: return csg_box_crossings(s, r, first, out);
     case CSG_CYLINDER: return csg_cylinder_crossings(s, r, first, out);
     case CSG_MESH: return csg_closed_crossings(s->mesh, r, first, out);
     }
@@ -197,8 +189,7 @@ static inline size_t csg_solid_crossings(const csg_solid *s, ray r, uint32_t fir
 static inline vec3 csg_solid_normal(const csg_solid *s, size_t face, vec3 p)
 {
     if (s->kind == CSG_MESH) return triangle_normal(s->mesh.tri[face]);
-    if (s->kind == CSG_HALF) return vunit(s->box.n[0]);
-    if (s->kind == CSG_BOX)
+    if (s->kind == CSG_BOX || s->kind == CSG_HALF)
         return vscale(vunit(s->box.n[face / 2]), face % 2 ? (real)1 : (real)-1);
     if (s->kind == CSG_SPHERE) return sphere_normal((sphere){s->ball.c, fabs(s->ball.r)}, p);
     vec3 from = vsub(p, s->cylinder.p), a = vunit(s->cylinder.a);
