@@ -28,9 +28,9 @@ int main(int argc, char **argv)
     v.n = side_of(&o);
     camera_draw_four(&o, v);
     if (!o.out) {
-        camera_draw_geometry(&o);
+        camera_draw_geometry(&o), camera_draw_vanishing(&o);
         camera_draw_slips(&o, v);
-        if (o.full || o.quick) camera_draw_vanishing(&o, v), camera_draw_zone_plate(&o, v);
+        if (o.full || o.quick) camera_draw_zone_plate(&o, v);
     }
     camera_measure_filters(&o);
     return output_done(&o);

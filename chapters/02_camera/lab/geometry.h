@@ -1,6 +1,7 @@
 /* geometry.h: eye, window, frame and a pixel's ray, drawn by the functions of first.h themselves.
  *
  *   camera_draw_geometry(&o);    02_camera_geometry.svg; seen by camera_perspective
+ *   camera_draw_vanishing(&o);   a block, its edges carried on to three points, and the horizon
  */
 #ifndef CAMERA_LAB_GEOMETRY_H
 #define CAMERA_LAB_GEOMETRY_H
@@ -132,6 +133,35 @@ static inline void camera_draw_geometry(const options *o)
     figure_origin(&s.g, 545, 300, 95);
     camera_draw_side(&s.g, c, true);
     figure_text(&s.g, 2, 0, 14, 5, FIGURE_LEFT, FIGURE_BLACK, "(2.4)");
+    figure_end(&s.g);
+}
+
+/* The three faces of a block that the eye sees, and their edges carried on. */
+static inline void camera_draw_vanishing(const options *o)
+{
+    static const char *const colour[3] = {FIGURE_RED, FIGURE_GREEN, FIGURE_BLUE};
+    camera_sheet s = {.g = figure_begin(o, "02_camera_vanishing.svg", 560, 450)};
+    double x[3], y[3], xy[8];
+    s.seen_by = camera_at(vec(3.1, 1.9, 2.3), vec(0, 0, 0), vec(0, 0, 1), 100,
+                          (real)camera_sheet_w / camera_sheet_h);
+    figure_origin(&s.g, 110, -40, 1);
+    for (int k = 0; k < 3; k++) {
+        vec3 axis = vwith(vec(0, 0, 0), k, 1);
+        real u = 0, v = 0;
+        if (!camera_vanishing_point(s.seen_by, axis, camera_sheet_w, camera_sheet_h, &u, &v))
+            abort();
+        x[k] = (double)u, y[k] = -(double)v;
+        for (int i = 0; i < 4; i++) {  /* round the face across axis k; edges along it */
+            vec3 p = vwith(vwith(axis, (k + 1) % 3, i == 1 || i == 2 ? 1 : -1), (k + 2) % 3,
+                           i < 2 ? 1 : -1);
+            camera_spot(&s, p, &xy[2 * i], &xy[2 * i + 1]);
+            figure_line(&s.g, xy[2 * i], xy[2 * i + 1], x[k], y[k], colour[k], 1, FIGURE_WHOLE);
+        }
+        figure_polygon(&s.g, 4, xy, colour[k], 0.3, FIGURE_BLACK);
+        figure_dot(&s.g, x[k], y[k], 6, colour[k]);
+    }
+    figure_line(&s.g, x[0], y[0], x[1], y[1], FIGURE_BLACK, 2, FIGURE_WHOLE);
+    figure_text(&s.g, (x[0] + x[1]) / 2, y[0], 0, -8, FIGURE_MIDDLE, FIGURE_BLACK, "horizon");
     figure_end(&s.g);
 }
 #endif

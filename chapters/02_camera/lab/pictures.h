@@ -1,7 +1,6 @@
 /* pictures.h: what the page of 02 shows.
  *
  *   camera_draw_four(&o, v)        one room through four cameras: the main picture
- *   camera_draw_vanishing(&o, v)   a block, its edges carried on to three points
  *   camera_draw_slips(&o, v)       RTR's sign; s - e far from the origin
  *   camera_draw_zone_plate(&o, v)  one ray a pixel, and 64 under two filters
  *
@@ -46,53 +45,6 @@ static inline void camera_draw_four(const options *o, camera_view v)
     int gap = o->width >= 64 && o->height >= 64 ? 6 : 0;
     camera_draw_panels(o, four, (panels_shape){o->width, o->height, 2, 2, gap, 1, true},
                        "02_camera.png", true);
-}
-
-/* A line on top of a picture, in pixels: what has its centre in it is covered, a pixel further out
- * nothing is. */
-static inline void camera_stroke(image *im, real x0, real y0, real x1, real y1, real width,
-                               vec3 colour)
-{
-    vec3 a = {x0, y0, 0}, ab = {x1 - x0, y1 - y0, 0};
-    real length2 = vdot(ab, ab);
-    for (int y = 0; y < im->height; y++)
-        for (int x = 0; x < im->width; x++) {
-            vec3 p = vsub((vec3){(real)x + (real)0.5, (real)y + (real)0.5, 0}, a);
-            real t = length2 > 0 ? real_clamp(vdot(p, ab) / length2, 0, 1) : 0;
-            real cover = real_clamp((width + 1) / 2 - vlength(vmadd(p, ab, -t)), 0, 1);
-            vec3 under = image_get(im, x, y);
-            if (cover > 0) image_set(im, x, y, vmadd(under, vsub(colour, under), cover));
-        }
-}
-
-static inline void camera_draw_vanishing(const options *o, camera_view v)
-{
-    int w = o->quick ? 202 : 806, h = o->quick ? 169 : 676;
-    camera_room block = {.n = 0};
-    camera_frame f;
-    failure why;
-    real s = 0.7, vx[3] = {0, 0, 0}, vy[3] = {0, 0, 0};
-    vec3 ink[] = {{0.7, 0.05, 0}, {0, 0.3, 0.15}, {0, 0.12, 0.65}};
-    room_block(&block, vec(-s, -s, -s), vec(s, s, s), vec(1, 0.85, 0.5), s);
-    camera_must(frame_look_at(vec(2.15, 1.35, 1.6), vec(0, 0, 0), camera_up, &f, &why), why);
-    camera_must(camera_off_axis(f, (camera_window){-2.05, 1.05, -1.75, 0.85}, 1, &v.c, &why), why);
-    v.scene = &block, v.nx = w, v.ny = h;
-    image im = image_new(w, h);
-    bool whole = pixels_draw(&im, 1, o->threads, "drawing", camera_colour, &v);
-    for (int k = 0; k < 3; k++) {
-        vec3 axis = vwith(vec(0, 0, 0), k, 1);
-        if (!camera_vanishing_point(v.c, axis, w, h, &vx[k], &vy[k])) abort();
-        for (int i = 0; i < 4; i++) {  /* the four edges along axis k, from their near ends */
-            real a = i & 1 ? s : -s, b = i & 2 ? s : -s, x = 0, y = 0;
-            vec3 end = k == 0 ? vec(s, a, b) : k == 1 ? vec(a, s, b) : vec(a, b, s);
-            if (!camera_project(v.c, end, w, h, &x, &y)) abort();
-            camera_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
-        }
-    }
-    camera_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
-    for (int k = 0; k < 3; k++) camera_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
-    output_picture(o, &im, "02_camera_vanishing.png", false, whole);
-    image_free(&im);
 }
 
 typedef struct { rtr_camera k; int sign; } camera_rtr;  /* -1, or as printed: 1 */
