@@ -319,10 +319,10 @@ static void meshes(void)
  * nothing to ask. */
 static void ask_nobody(void *context)
 {
-    mesh_view w = {.cells = 4};
+    mesh_view w = {.width = 1};
     (void)context;
     atomic_store(&parallel_stop, SIGINT);
-    mesh_view_pixel(0, 0, &w);
+    (void)mesh_view_colour(&w, 0, 0);
 }
 
 static void stops_between_rays(void)

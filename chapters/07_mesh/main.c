@@ -23,15 +23,6 @@ static void main_picture(options *o, const mesh *m, int up, int samples, const c
     image_free(&im);
 }
 
-static void other_pictures(const options *o)
-{
-    image slices;
-    bool whole = draw_slices(o->quick ? 16 : 180, o->threads, &slices);
-    output_picture(o, &slices, "07_mesh_inside.png", false, whole);
-    image_free(&slices);
-    draw_arrays(o, "07_mesh_arrays.svg");
-}
-
 int main(int argc, char **argv)
 {
     const char *path = NULL, *up = NULL, *save = NULL;
@@ -60,7 +51,10 @@ int main(int argc, char **argv)
     if (o.own || o.full || o.quick || o.out || o.preview || o.width)
         main_picture(&o, &m, up ? *up - 'x' : path ? 1 : 2, samples, path);
     else printf("# the teapot, 2e9 tests, some seconds: --full draws it, or --preview\n");
-    if (!o.own && !o.out) other_pictures(&o);
+    if (!o.own && !o.out) {
+        draw_slices(&o, "07_mesh_inside.png");
+        draw_arrays(&o, "07_mesh_arrays.svg");
+    }
     if (!path) inside_report(&o);
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
     cost_report(&o, &fine, path != NULL);

@@ -1,53 +1,33 @@
 /* pictures.h: a mesh in a frame that fits it, and slices through meshes.
  *
  *   bool whole = draw_mesh(&m, up, samples, threads, &im)  by brute force, `up` the axis upwards
- *                                                          [0,3); it sees all from front above
- *   bool whole = draw_slices(side, threads, &im)           3 x 2 panels, each side x side pixels,
- *                                                          titled; a new image
- * False: stopped by Ctrl-C; the picture holds what there was.
+ *                                                          [0,3); it sees all from front above.
+ *                                                          False: stopped by Ctrl-C; the picture
+ *                                                          holds what there was
+ *   draw_slices(&o, "07_mesh_inside.png")                  3 x 2 panels
  */
 #ifndef MESH_LAB_PICTURES_H
 #define MESH_LAB_PICTURES_H
 
 #include "../../../common/headlight.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/parallel.h"
+#include "../../../common/lab/panels.h"
 #include "../../02_camera/camera.h"
-#include "../../02_camera/samples.h"
 #include "../scenes/teapot.h"
 #include "trials.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct {
-    camera c;
-    image *im;
-    const mesh *m;
-    int cells;
-} mesh_view;
-
-static inline vec3 mesh_view_colour(const mesh_view *w, ray r)
-{
-    hit h;
-    if (!mesh_hit(w->m, r, &h)) return vec(0.015, 0.02, 0.03);
-    return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
-}
+typedef struct { camera c; int width, height; const mesh *m; } mesh_view;
 
 /* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C works between rays. */
-static inline void mesh_view_pixel(int x, int y, void *context)
+static vec3 mesh_view_colour(const void *context, real x, real y)
 {
     const mesh_view *w = context;
-    vec3 sum = {0, 0, 0};
-    int n = w->cells * w->cells;
-    for (int k = 0; k < n; k++) {
-        real dx, dy;
-        if (atomic_load(&parallel_stop)) return;
-        samples_place(SAMPLES_REGULAR, k, w->cells, 0.5, NULL, &dx, &dy);
-        ray r = camera_ray(w->c, (real)x + (real)0.5 + dx, (real)y + (real)0.5 + dy, w->im->width,
-                           w->im->height);
-        sum = vadd(sum, mesh_view_colour(w, r));
-    }
-    image_set(w->im, x, y, vscale(sum, 1 / (real)n));
+    ray r = camera_ray(w->c, x, y, w->width, w->height);
+    hit h;
+    if (atomic_load(&parallel_stop)) return vec(0, 0, 0);
+    if (!mesh_hit(w->m, r, &h)) return vec(0.015, 0.02, 0.03);
+    return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
 }
 
 /* Axis `up` [0,3) upwards, the one before it to the right. Eye at three radii of the sphere round
@@ -86,9 +66,10 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
 
 static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
 {
-    mesh_view w = {camera_fit(m, up, im->width, im->height), im, m, 1};
-    while ((w.cells + 1) * (w.cells + 1) <= samples) w.cells++;
-    return parallel_pixels(im->width, im->height, threads, "picture", mesh_view_pixel, &w);
+    mesh_view w = {camera_fit(m, up, im->width, im->height), im->width, im->height, m};
+    int side = 1;
+    while ((side + 1) * (side + 1) <= samples) side++;
+    return pixels_draw(im, side, threads, "picture", mesh_view_colour, &w);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -97,43 +78,38 @@ static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, im
  * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y = 0,
  * which holds edges. True is: of the ring, parity along a ray that leaves the plane; the teapot is
  * open, so nothing is true, and what differs from the winding number counts as wrong. */
-enum { slice_gap = 6 };
-typedef struct { mesh ring, teapot; image *im; int side; } mesh_slices;
+typedef struct { const mesh *m; int method, side; bool open; } mesh_slice;
 
 /* Blue inside, pale outside, between them a winding number between 0 and 1; orange: wrong. */
-static inline vec3 slice_colour(double w, bool wrong)
+static vec3 slice_colour(const void *context, real x, real y)
 {
     const vec3 in = {0, 0.17, 0.45}, out = {0.8, 0.85, 0.9};
-    return wrong ? vec(0.67, 0.11, 0)
-                 : vmadd(out, vsub(in, out), (real)(w < 0 ? 0 : w > 1 ? 1 : w));
+    const mesh_slice *s = context;
+    real a = 2 * x / (real)s->side - 1, b = 1 - 2 * y / (real)s->side;
+    vec3 d = {1, 0, 0}, p = vec((real)1.1 * a, (real)1.1 * b, 0);
+    if (s->open) p = vec((real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6);
+    double turns = s->method == 2 || s->open ? winding_number(s->m, p) : 0;
+    double w = s->method == 0 ? inside_parity_naive(s->m, p, d)
+             : s->method == 1 ? inside_parity(s->m, p, d) : turns;
+    bool due = s->open ? turns > 0.5 : inside_parity(s->m, p, vec(0.36, 0.48, 0.8));
+    if ((w > 0.5) != due) return vec(0.67, 0.11, 0);
+    return vmadd(out, vsub(in, out), (real)fmin(fmax(w, 0), 1));
 }
 
-static inline void slice_pixel(int x, int y, void *context)
+static inline void draw_slices(const options *o, const char *name)
 {
-    const mesh_slices *s = context;
-    int step = s->side + slice_gap, row = y / s->side, j = y % s->side;
-    real a = 2 * ((real)x + (real)0.5) / (real)s->side - 1;
-    real b = 1 - 2 * ((real)j + (real)0.5) / (real)s->side;
-    const mesh *m = row ? &s->teapot : &s->ring;
-    vec3 p = row ? vec((real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6)
-                 : vec((real)1.1 * a, (real)1.1 * b, 0), d = {1, 0, 0};
-    double w[3] = {inside_parity_naive(m, p, d), inside_parity(m, p, d), winding_number(m, p)};
-    bool due = row ? w[2] > 0.5 : inside_parity(m, p, vec(0.36, 0.48, 0.8));
-    for (int k = 0; k < 3; k++)
-        image_set(s->im, k * step + x, row * step + j,
-                  slice_colour(w[k], (w[k] > 0.5) != due));
-}
-
-static inline bool draw_slices(int side, int threads, image *im)
-{
-#define SLICE_TITLES "parity of hits", "parity of crossings", "winding number"
-    static const char *const title[] = {SLICE_TITLES, SLICE_TITLES};
-    *im = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
-    mesh_slices s = {torus_mesh(12), teapot_mesh(3), im, side};
-    bool whole = parallel_pixels(side, 2 * side, threads, "slices", slice_pixel, &s);
-    label_titles(im, 3, 2, slice_gap, title);
-    mesh_free(&s.ring), mesh_free(&s.teapot);
-    return whole;
+    static const char *const title[] = {"parity of hits", "parity of crossings", "winding number"};
+    const int side = o->quick ? 16 : 180, gap = 6;
+    mesh ring = torus_mesh(12), teapot = teapot_mesh(3);
+    mesh_slice s[6];
+    panel p[6];
+    for (int k = 0; k < 6; k++) {
+        s[k] = (mesh_slice){k < 3 ? &ring : &teapot, k % 3, side, k >= 3};
+        p[k] = (panel){title[k % 3], &s[k]};
+    }
+    panels_draw(o, name, false, (panels_shape){3 * side + 2 * gap, 2 * side + gap, 3, 2, gap, 1,
+                                               false}, slice_colour, p);
+    mesh_free(&ring), mesh_free(&teapot);
 }
 
 #endif
