@@ -75,22 +75,11 @@ static inline void morton_codes(const bvh_item *item, size_t n, radix_code *pair
     }
 }
 
-/* item[i] becomes what item[pair[i].place] was, in place: each cycle of the permutation is walked
- * round once. Afterwards place = i. */
-static inline void morton_reorder(bvh_item *item, radix_code *pair, size_t n)
+/* item[i] becomes what item[pair[i].place] was; room[n]: for the time between. */
+static inline void morton_reorder(bvh_item *item, const radix_code *pair, size_t n, bvh_item *room)
 {
-    for (size_t i = 0; i < n; i++) {
-        bvh_item first = item[i];
-        size_t at = i;
-        while (pair[at].place != i) {
-            size_t from = pair[at].place;
-            item[at] = item[from];
-            pair[at].place = (uint32_t)at;
-            at = from;
-        }
-        item[at] = first;
-        pair[at].place = (uint32_t)at;
-    }
+    for (size_t i = 0; i < n; i++) room[i] = item[pair[i].place];
+    memcpy(item, room, n * sizeof *item);
 }
 
 /* The first of the sorted codes [begin, end) that has the highest bit in which the first and the
@@ -151,8 +140,10 @@ static inline void tree_morton(const bvh_input *in, bvh_options how, bvh_tree *t
         radix_sort_codes(pair, spare, n);
     }
     memory_drop(&t->held, spare, n, size);
+    bvh_item *room = memory_array(&t->held, n, sizeof *room);
+    if (!t->held.full) morton_reorder(in->item, pair, n, room);
+    memory_drop(&t->held, room, n, sizeof *room);
     if (!t->held.full && tree_begin(t, 2 * n + 2)) {
-        morton_reorder(in->item, pair, n);
         morton_builder b = {t, in->item, pair, how};
         if (n) morton_node(&b, 0, 0, n, 0);
     }
