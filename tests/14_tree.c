@@ -118,19 +118,26 @@ static void test_select(void)
                 fill_keys(item, n, kind);
                 select_item(item, n, k, axis);
                 for (size_t i = 0; i < n; i++)
-                    wrong += i < k ? !item_before(&item[i], &item[k], axis)
-                                   : i > k && !item_before(&item[k], &item[i], axis);
+                    wrong += i < k ? item_key(&item[i], axis) >= item_key(&item[k], axis)
+                                   : i > k && item_key(&item[i], axis) <= item_key(&item[k], axis);
                 memset(seen, 0, n);
                 for (size_t i = 0; i < n; i++) wrong += seen[item[i].index]++ != 0;
                 check_equal(wrong, 0, "kind %d: the %zuth of %zu items in its place", kind, k, n);
             }
-    /* The median of medians alone: its place is never outside [0.3 n - 4, 0.7 n + 4]. */
+    /* The slow pivot alone: something on either side, and at most half of the range of keys. */
     for (int kind = 0; kind < 8; kind++) {
-        size_t n = most / 2;
+        size_t n = most / 2, below = 0;
+        uint64_t least = UINT64_MAX, greatest = 0;
         fill_keys(item, n, kind);
-        size_t place = partition_at(item, n, median_of_medians(item, n, 0), 0);
-        check(10 * (place + 4) >= 3 * n && 10 * place <= 7 * n + 40,
-              "kind %d: median of medians of %zu at %zu", kind, n, place);
+        uint64_t pivot = middle_of_all(item, n, 0);
+        for (size_t i = 0; i < n; i++) {
+            uint64_t key = item_key(&item[i], 0);
+            below += key < pivot;
+            least = key < least ? key : least, greatest = key > greatest ? key : greatest;
+        }
+        check(below > 0 && below < n, "kind %d: %zu of %zu below the middle", kind, below, n);
+        uint64_t half = (greatest - least) / 2;
+        check(pivot - least <= half + 1 && greatest - pivot <= half, "kind %d: both halves", kind);
     }
     free(item), free(seen);
 }
