@@ -242,9 +242,9 @@ static double cost_by_counting(const kd_splitter *s, const kd_item *item, size_t
     l.hi[k] = r.lo[k] = at;
     for (size_t i = 0; i < n; i++)
         below += item[i].box.lo[k] < at, above += item[i].box.hi[k] > at;
-    double cost = s->traversal_cost + s->item_cost / kd_area(cell)
+    double cost = 1 + s->how.item_cost / kd_area(cell)
         * (kd_area(&l) * (double)below + kd_area(&r) * (double)above);
-    return below == 0 || above == 0 ? cost * (1 - s->empty_bonus) : cost;
+    return below == 0 || above == 0 ? cost * (1 - s->how.empty_bonus) : cost;
 }
 
 static void test_sweep(void)
@@ -258,7 +258,9 @@ static void test_sweep(void)
         random_stream g = random_start(21, i, 0);
         size_t n = 1 + random_next_bits(&g) % most;
         kd_box cell = {{0, 0, 0}, {8, 8, 8}};
-        kd_splitter s = {KD_SAH, 1, 0.25 + (double)(i % 5), i % 3 ? 0.2 : 0, a, b, c};
+        kdtree_options how = {.strategy = KD_SAH, .item_cost = 0.25 + (double)(i % 5),
+                              .empty_bonus = i % 3 ? 0.2 : 0};
+        kd_splitter s = {how, a, b, c};
         double least = HUGE_VAL;
         for (size_t j = 0; j < n; j++)
             for (int k = 0; k < 3; k++) {
@@ -291,7 +293,7 @@ static void test_median(void)
 {
     enum { n = 5 };
     static uint32_t a[n], b[n], c[n];
-    kd_splitter s = {KD_MEDIAN, 1, 1, 0, a, b, c};
+    kd_splitter s = {{.strategy = KD_MEDIAN, .item_cost = 1}, a, b, c};
     kd_box cell = {{0, 0, 0}, {4, 16, 8}};
     kd_item item[n] = {{.index = 0}};
     const float lo[n] = {2, 14, 0, 4, 3}, hi[n] = {4, 16, 1, 9, 4};  /* 3, 15, .5, 6.5, 3.5 */
@@ -313,7 +315,7 @@ static void test_bins(void)
         random_stream g = random_start(22, i, 0);
         size_t n = from + random_next_bits(&g) % (most - from);
         kd_box cell = {{-1, -2, -3}, {1, 2, 3}};
-        kd_splitter s = {KD_SAH, 1, 0.25, 0.1, a, b, c};
+        kd_splitter s = {{.strategy = KD_SAH, .item_cost = 0.25, .empty_bonus = 0.1}, a, b, c};
         for (size_t j = 0; j < n; j++)
             for (int k = 0; k < 3; k++) {
                 double x = (double)random_next(&g), w = (double)random_next(&g) / 4;

@@ -22,7 +22,7 @@ static void test_structures(void)
         {"SAH, boxes", with(KD_SAH, 0, false, KD_THICK)},
         {"both sides", with(KD_SAH, 0, true, KD_BOTH)},
         {"middle, one side", with(KD_MIDDLE, 1, true, KD_ONE)},
-        {"costly tests", {KD_SAH, 0, 0, 1, 20, 0.8, true, KD_THICK, SIZE_MAX / 4}}};
+        {"costly tests", {KD_SAH, 0, 0, 20, 0.8, true, KD_THICK, SIZE_MAX / 4}}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         structure s = {list[i].name, STRUCTURE_OF(kdtree)};
         options_now = list[i].how;

@@ -1,6 +1,8 @@
 /* build.h: building the tree.
  *
- *   bool kdtree_build(&x, how, &t, &f)    false: f says why, and t is empty
+ *   bool kdtree_build(&x, how, &t, &f)    false: f says why, and t is empty; how: split.h
+ *   kdtree                                nodes, and the records of the leaves one after another;
+ *                                         every byte counts: t.held.peak (09: memory)
  *
  *            cell                  Items wait in one array. The items of the cell at hand are its
  *    +---------+--------+          last n. Those of the lower child stay where they are, those of
@@ -21,9 +23,42 @@
 #define KDTREE_BUILD_H
 
 #include "../10_grid/overlap.h"
-#include "tree.h"
+#include "split.h"
+
+enum { kd_most_doubled = 3 };
+
+/* 16 bytes for a triangle in a leaf: its corners and its number. */
+typedef struct { uint32_t corner[3], index; } kd_triangle;
+
+typedef struct {
+    kd_node *node;            /* [nodes] 0 is the root, 1 not used: pairs begin at even numbers */
+    kd_triangle *triangle;    /* [references] of a mesh, else NULL */
+    uint32_t *index;          /* [references] of a scene, else NULL */
+    size_t nodes;
+    structure_stats stats;    /* but for the bytes: those of `held` */
+    items x;
+    const vec3 *v;            /* corners of the mesh */
+    aabb_frame frame;
+    kd_box box;               /* in the frame; lo > hi if there is nothing */
+    memory held;
+} kdtree;
+
+typedef struct {
+    kdtree *t;
+    kd_splitter split;
+    kd_item *item;            /* see above */
+    uint32_t *index;          /* of the leaves, one after another */
+    size_t item_room, node_room, index_room;
+    bool large;               /* more references or nodes than can be numbered */
+} kd_builder;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline void kdtree_free(kdtree *t)
+{
+    free(t->node), free(t->triangle), free(t->index);
+    *t = (kdtree){0};
+}
 
 static inline void kd_corner(const kd_builder *b, vec3 p, double out[3])
 {
@@ -60,7 +95,7 @@ static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, 
     triangle t;
     *below = *above = i->box;
     below->hi[axis] = above->lo[axis] = at;
-    if (!b->how.clip) return;
+    if (!b->split.how.clip) return;
     if (items_triangle(x, i->index, &t)) {
         kd_corner(b, t.a, p[0]), kd_corner(b, t.b, p[1]), kd_corner(b, t.c, p[2]);
         kd_polygon g = kd_polygon_in(p, &i->box);
@@ -76,7 +111,7 @@ static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, 
         kd_cut_round(b, i->index, below, above);
         return;
     }
-    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
+    kd_cut_end(&c, b->split.how.planar == KD_THICK, below, above);
 }
 
 static inline bool kd_is_empty(const kd_box *b)
@@ -89,7 +124,7 @@ static inline bool kd_is_empty(const kd_box *b)
 static inline bool kd_partition(kd_builder *b, size_t begin, size_t n, kd_choice c, size_t *below,
                                 size_t *above)
 {
-    kdtree_planar planar = b->how.planar;
+    kdtree_planar planar = b->split.how.planar;
     size_t l = begin, r = begin + n;
     if (!memory_room(&b->t->held, &b->item, r, r + n, &b->item_room, sizeof *b->item)) return false;
     for (size_t i = begin; i < begin + n; i++) {
@@ -125,7 +160,7 @@ static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
 static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box *cell, int depth,
                             int doubled, double room, kd_choice *c)
 {
-    const kdtree_options *how = &b->how;
+    const kdtree_options *how = &b->split.how;
     bool by_cost = how->leaf == 0;
     if (depth >= how->depth || n == 0) return false;
     if (structure_is_full(&b->t->stats, 2 * (double)n, room)) return false;
@@ -163,7 +198,7 @@ static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, con
 static inline bool kd_gather(kd_builder *b, const aabb *all)
 {
     kdtree *t = b->t;
-    bool thick = b->how.planar == KD_THICK;
+    bool thick = b->split.how.planar == KD_THICK;
     size_t n = 0;
     if (all->lo.x <= all->hi.x) t->frame = frame_of(*all, 2, 40);
     if (!memory_room(&t->held, &b->item, 0, t->x.n, &b->item_room, sizeof *b->item)) return false;
@@ -214,11 +249,12 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
 {
     kdtree *t = b->t;
     memory *m = &t->held;
+    kdtree_options *how = &b->split.how;
     size_t room = 0;
     if (!kd_gather(b, all)) return false;
     size_t n = t->stats.items;
-    if (b->how.strategy != KD_SAH && b->how.leaf == 0) b->how.leaf = 4;
-    if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
+    if (how->strategy != KD_SAH && how->leaf == 0) how->leaf = 4;
+    if (how->depth <= 0 || how->depth > kdtree_most_depth) how->depth = kd_default_depth(n);
     bool done = memory_fit(m, &b->split.begin, 0, 3 * n + 3, &room, sizeof(uint32_t))
                 && memory_fit(m, &t->node, 0, 2, &b->node_room, sizeof *t->node);
     if (done) {
@@ -240,10 +276,8 @@ static inline bool kdtree_build(const items *x, kdtree_options how, kdtree *out,
     aabb all;
     *out = (kdtree){.x = *x, .v = x->m ? x->m->v : NULL, .frame = {{0, 0, 0}, 1}};
     if (!items_all_bounds(x, &all, f)) return false;
-    kd_builder b = {.t = out, .how = how};
+    kd_builder b = {.t = out, .split = {.how = how}};
     out->held.most = how.most_bytes;
-    b.split = (kd_splitter){how.strategy, how.traversal_cost, how.item_cost, how.empty_bonus,
-                            NULL, NULL, NULL};
     if (kd_grow(&b, &all)) return true;
     kdtree_free(out);
     return b.large ? failed(f, 2, "k-d tree: more than 2^29 nodes or 2^32 references")

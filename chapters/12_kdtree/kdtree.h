@@ -12,7 +12,7 @@
  * Cells do not overlap, so a ray passes them in order, and its search can end at the first hit. The
  * price: an item that a plane cuts is in both parts.
  *
- * How: kdtree_options in tree.h.
+ * How: kdtree_options in split.h.
  *
  * The items must outlive the tree. Total: 8 bytes a node, 16 a reference to a triangle (its corners
  * and number, in the order of the leaves), 4 a reference to a shape. A search needs no memory but
@@ -39,7 +39,7 @@
 #define kdtree_item_cost 0.25
 #define kdtree_empty_bonus 0.1
 #define kdtree_defaults \
-    ((kdtree_options){KD_SAH, 0, 0, 1, kdtree_item_cost, kdtree_empty_bonus, true, KD_THICK, \
+    ((kdtree_options){KD_SAH, 0, 0, kdtree_item_cost, kdtree_empty_bonus, true, KD_THICK, \
                       SIZE_MAX / 4})
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -38,18 +38,31 @@
 #include "../../common/numbers/radix.h"
 #include "clip.h"
 
+enum { kdtree_most_depth = 64 };
 typedef enum { KD_MIDDLE, KD_MEDIAN, KD_SAH, kdtree_strategies } kdtree_strategy;
+
+/* How an item that lies in a plane is kept. KD_THICK: its box gets one float more on each side, so
+ * that it lies in no plane of its own; where another plane cuts it, it goes to both children. The
+ * others keep boxes as they are: exact where coordinates are floats. */
+typedef enum { KD_THICK, KD_BOTH, KD_ONE } kdtree_planar;
+
+typedef struct {
+    kdtree_strategy strategy;
+    int leaf;                 /* most items in one; 0: where no cut pays (KD_SAH only; else 4) */
+    int depth;                /* of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n            (12.2) */
+    double item_cost, empty_bonus;  /* (12.1), with c_t = 1 */
+    bool clip;                /* boxes of parts are those of the part (12.3), not cut boxes */
+    kdtree_planar planar;
+    size_t most_bytes;        /* while it is built; more: kdtree_build returns false */
+} kdtree_options;
 
 typedef struct { kd_box box; uint32_t index; } kd_item;
 typedef struct { double cost; int axis; float plane; } kd_choice;
 
 enum { kd_bins = 128, kd_bins_from = 512 };
 
-typedef struct {
-    kdtree_strategy strategy;
-    double traversal_cost, item_cost, empty_bonus;
-    uint32_t *begin, *end, *spare;  /* room for n numbers each, in one block */
-} kd_splitter;
+/* begin, end, spare: room for n numbers each, in one block. */
+typedef struct { kdtree_options how; uint32_t *begin, *end, *spare; } kd_splitter;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -102,8 +115,8 @@ static inline void kd_weigh(const kd_splitter *s, const kd_profile *f, double ar
     double l = f->side + ((double)p - (double)f->lo) * f->ring;
     double r = f->side + ((double)f->hi - (double)p) * f->ring;
     double sum = l * (double)below + r * (double)above;
-    double cost = s->traversal_cost + s->item_cost * sum / area;
-    if (below == 0 || above == 0) cost *= 1 - s->empty_bonus;
+    double cost = 1 + s->how.item_cost * sum / area;
+    if (below == 0 || above == 0) cost *= 1 - s->how.empty_bonus;
     if (cost < best->cost) *best = (kd_choice){cost, k, p};
 }
 
@@ -163,8 +176,8 @@ static inline kd_choice kd_choose(kd_splitter *s, const kd_item *item, size_t n,
                                   const kd_box *cell)
 {
     kd_choice best = {HUGE_VAL, 0, 0};
-    if (s->strategy == KD_MIDDLE) return kd_middle(cell);
-    if (s->strategy == KD_MEDIAN) return n ? kd_median(s, item, n, cell) : best;
+    if (s->how.strategy == KD_MIDDLE) return kd_middle(cell);
+    if (s->how.strategy == KD_MEDIAN) return n ? kd_median(s, item, n, cell) : best;
     for (int k = 0; k < 3; k++)
         if (n > kd_bins_from) kd_sweep_bins(s, item, n, cell, k, &best);
         else kd_sweep_axis(s, item, n, cell, k, &best);

@@ -23,7 +23,7 @@ TRIAL_FIRST(first_kdtree, first_kdtree_build(&b->m, &b->s))
 TRIAL_OTHER(kdtree_no_delta, kdtree, kdtree, kdtree_hit_no_delta)
 
 #define KDTREE_HOW(strategy, leaf, bonus, clip, planar) \
-    {strategy, leaf, 0, 1, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
+    {strategy, leaf, 0, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
 
 /* The first seven are the page's table, 1 to 4 the picture. */
 enum { kdtree_short = 7, kdtree_candidates = 16 };
@@ -44,7 +44,7 @@ static const kdtree_candidate kdtree_candidate_list[kdtree_candidates] = {
     {"by cost, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, false, KD_THICK), false},
     {"by cost, no bonus", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0, true, KD_THICK), false},
     {"20 : 15, bonus 0.2", &kdtree_trial,
-     {KD_SAH, 0, 0, 1, 4.0 / 3, 0.2, true, KD_THICK, SIZE_MAX / 4}, false}};
+     {KD_SAH, 0, 0, 4.0 / 3, 0.2, true, KD_THICK, SIZE_MAX / 4}, false}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
