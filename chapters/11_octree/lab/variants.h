@@ -21,7 +21,7 @@
 #ifndef OCTREE_VARIANTS_H
 #define OCTREE_VARIANTS_H
 
-#include "../walk.h"
+#include "../octree.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
