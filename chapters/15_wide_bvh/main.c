@@ -2,11 +2,11 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapters/15_wide_bvh/main.c -lm -lpthread
  *
  * Without options: the teapot, the drawing, the ladder, rays at cracks. --full: all tables.
- * --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
+ * --mesh FILE.obj: that mesh, a picture only. */
 #include "../07_mesh/files/obj.h"
+#include "../09_aabb/trials/pictures.h"
 #include "lab/figure.h"
 #include "lab/measure.h"
-#include "lab/rays.h"
 #include "lab/stream.h"
 
 static void measure(const options *o, bool large)
@@ -27,32 +27,22 @@ static void measure(const options *o, bool large)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL, *rays = NULL, *hits = NULL;
-    bool any = false;
+    const char *path = NULL;
     const option list[] = {
-        {"mesh", OPTION_INPUT, &path, 0, 0,
-         "FILE.obj: draw this mesh, y up, or search it (--rays)"},
-        {"rays", OPTION_INPUT, &rays, 0, 0,
-         "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
-        {"hits", OPTION_OUTPUT, &hits, 0, 0, "with --rays: their t and triangle to this file"},
-        {"any-hit", OPTION_FLAG, &any, 0, 0, "with --rays: is there any hit at all?"}, {0}};
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up"}, {0}};
     options o = options_read(argc, argv, "15_wide_bvh", "Boxes and triangles, eight at once.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m;
-    if (!rays && (hits || any)) die(2, "--hits and --any-hit need --rays FILE");
-    if (rays && o.out) die(2, "--out: no picture with --rays");
-    if (!rays && o.csv && (path || o.out))
-        die(2, "--csv: no table with --mesh, --out, but with --rays");
+    if (o.csv && (path || o.out)) die(2, "--csv: no table with --mesh, --out");
     if (path && !obj_read(path, &m, &f)) fail(f);
     if (!path) m = teapot_mesh(o.quick ? 8 : 40);
-    o.own = path || rays;
+    o.own = path != NULL;
     bvh8_options how = bvh8_defaults;
     trial_scene s;
     trial_scene_of(m, &s);
     how.threads = o.threads;
-    if (rays) search_file(&o, &s.x, path ? path : "teapot", rays, hits, any);
-    else trial_draw_mesh(&o, &s, &bvh8_trial, &how, !path, "15_wide_bvh.png", path);
+    trial_draw_mesh(&o, &s, &bvh8_trial, &how, !path, "15_wide_bvh.png", path);
     if (!o.own && !o.out) draw_lanes(&o), measure(&o, false);
     if (!o.own && !o.out && o.full) measure(&o, true);
     trial_scene_free(&s);
