@@ -106,7 +106,7 @@ static void test_endless(void)
     check_close((double)T.x, 2.5, 64 * eps, "E / (1 - .6)");
     p.depth = 1000, tree = (naive_counts){{0}, 0, 0};
     (void)branching_radiance(&p, 1, some_ray(dark, 3), 25, 4, 0, &tree);
-    check_equal(naive_rays(&tree), branching_most + 1, "as deep as the stack");
+    check_equal(naive_rays(&tree), branching_most + 1, "and no deeper");
     lit_free(&s);
 
     furnace_sphere(&s, one, one);  /* rho = 1: linear growth */

@@ -10,10 +10,8 @@
  *   vec3 L = branching_radiance(&p, N, eye, seed, pixel, sample, &counts);
  *   double n = first_rays_of_branching(N, d);     (25.9), from first.h
  *
- * To see every ray:  branching_walk w;
- *                    branching_start(&w, &p, N, eye, seed, pixel, sample);
- *                    while (branching_next(&w, &counts)) w.r, w.stack[w.k].x, w.brought
- *   once it has returned false, it is over: start again.
+ * To see every ray:  branching w = {&p, N, seed, pixel, sample, &counts, see, user};
+ *                    vec3 L = branching_trace(&w, eye);     calls see for each
  *
  * Its expectation is that of naive_path.h, (25.8), for every N. Each of the N gets 1/N of the
  * weight, so that all rays of a generation together weigh as much as one ray of a path: the farther
@@ -24,8 +22,8 @@
  * cut, and N = 1 draws the same path as naive_radiance with a SEQUENCE_RANDOM sampler whose pair 0
  * has been taken (for the place in the pixel). Beyond 2^64 nodes numbers repeat.
  *
- * No recursion: a stack of one node a generation, depth at most branching_most (else it is cut
- * there). The memory is that of one path; only time explodes.
+ * Depth first, at most branching_most bounces (else it is cut there). The memory is that of one
+ * path; only time explodes.
  */
 #ifndef BOUNCES_BRANCHING_H
 #define BOUNCES_BRANCHING_H
@@ -34,16 +32,16 @@
 #include "naive_path.h"
 
 enum { branching_most = 64 };
-typedef struct { lit_hit x; vec3 wo, throughput; uint64_t node; int done; } branching_node;
 
 typedef struct {
     const naive_path *path;
-    int N, k;                  /* k: bounces before the last hit, -1 before the eye ray */
+    int N;
     uint64_t seed, pixel, sample;
-    ray r;                     /* the last one */
-    vec3 brought;              /* of the last hit: throughput times emission */
-    branching_node stack[branching_most + 1];  /* stack[k].x: the last hit; m NULL if none */
-} branching_walk;
+    naive_counts *counts;
+    /* Is told of each ray, what it brought, and what it met (x->m NULL: nothing), after k bounces. */
+    void (*see)(void *user, ray r, int k, const lit_hit *x, vec3 brought);  /* NULL: nobody looks */
+    void *user;
+} branching;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -55,62 +53,41 @@ static inline point2 branching_pair(uint64_t seed, uint64_t pixel, uint64_t samp
     return (point2){u, v};
 }
 
-/* What the ray finds; the node that begins there, done if nothing follows. */
-static inline vec3 branching_visit(const naive_path *p, int N, ray r, vec3 throughput, uint64_t i,
-                                   int bounces, branching_node *node, naive_counts *c)
-{
-    bool met;
-    node->x.m = NULL;
-    vec3 Le = naive_find(p, r, bounces, &node->x, &met, c);
-    bool last = !met || bounces == p->depth || bounces == branching_most;
-    bool black = met && !last && naive_black(node->x.m);
-    c->black += black;
-    node->done = last || (black && !p->spend_all) ? N : 0;
-    node->wo = vneg(bounces ? r.d : vunit(r.d)), node->throughput = throughput, node->node = i;
-    return vmul(throughput, Le);
-}
-
-static inline void branching_start(branching_walk *w, const naive_path *p, int N, ray eye,
-                                   uint64_t seed, uint64_t pixel, uint64_t sample)
-{
-    w->path = p, w->N = N, w->k = -1, w->r = eye;
-    w->seed = seed, w->pixel = pixel, w->sample = sample;
-}
-
-/* The next ray of the tree, depth first; false: there is none. */
-static inline bool branching_next(branching_walk *w, naive_counts *c)
+/* Adds to *L what the ray of a node brings, and then what all rays do that follow from it. */
+static inline void branching_node(const branching *w, ray r, vec3 through, int k, uint64_t node,
+                                  vec3 *L)
 {
     const naive_path *p = w->path;
-    vec3 one = {1, 1, 1}, weight;
-    if (w->k < 0) {
-        if (naive_dark(p->scene) && !p->spend_all) return false;
-        w->k = 0;
-        w->brought = branching_visit(p, w->N, w->r, one, 0, 0, &w->stack[0], c);
-        return true;
-    }
-    while (w->k >= 0) {
-        branching_node *top = &w->stack[w->k];
-        if (top->done == w->N) { w->k--; continue; }
-        uint64_t i = top->node * (uint64_t)w->N + (uint64_t)++top->done;
+    lit_hit x = {.m = NULL};
+    vec3 weight;
+    bool met;
+    vec3 brought = vmul(through, naive_find(p, r, k, &x, &met, w->counts));
+    *L = vadd(*L, brought);
+    if (w->see) w->see(w->user, r, k, &x, brought);
+    if (!met || k == p->depth || k == branching_most) return;
+    w->counts->black += naive_black(x.m);
+    vec3 wo = vneg(k ? r.d : vunit(r.d));
+    for (uint64_t c = 1; c <= (uint64_t)w->N; c++) {
+        uint64_t i = node * (uint64_t)w->N + c;
         point2 u = branching_pair(w->seed, w->pixel, w->sample, i);
-        if (!naive_direction(p, &top->x, top->wo, u, &w->r, &weight)) continue;
-        vec3 through = naive_through(top->throughput, vscale(weight, 1 / (real)w->N));
-        if (vzero(through) && !p->spend_all) continue;
-        w->k++;
-        w->brought = branching_visit(p, w->N, w->r, through, i, w->k, &w->stack[w->k], c);
-        return true;
+        if (!naive_direction(p, &x, wo, u, &r, &weight)) continue;
+        vec3 on = naive_through(through, vscale(weight, 1 / (real)w->N));
+        if (!vzero(on) || p->spend_all) branching_node(w, r, on, k + 1, i, L);
     }
-    return false;
+}
+
+static inline vec3 branching_trace(const branching *w, ray eye)
+{
+    vec3 L = {0, 0, 0}, one = {1, 1, 1};
+    if (!naive_dark(w->path->scene) || w->path->spend_all) branching_node(w, eye, one, 0, 0, &L);
+    return L;
 }
 
 static inline vec3 branching_radiance(const naive_path *p, int N, ray eye, uint64_t seed,
                                       uint64_t pixel, uint64_t sample, naive_counts *c)
 {
-    branching_walk w;
-    vec3 L = {0, 0, 0};
-    branching_start(&w, p, N, eye, seed, pixel, sample);
-    while (branching_next(&w, c)) L = vadd(L, w.brought);
-    return L;
+    branching w = {p, N, seed, pixel, sample, c, NULL, NULL};
+    return branching_trace(&w, eye);
 }
 
 #endif

@@ -33,25 +33,30 @@ static inline void tree_room(figure *g)
     figure_line(g, 227, 545, 332, 545, FIGURE_ORANGE, 6, FIGURE_WHOLE);
 }
 
+typedef struct { figure *g; int N, lit; } tree_seen;
+
 /* From where the ray begins to what it meets; what leaves the room is cut short, and dashed. */
-static inline void tree_ray(figure *g, const branching_walk *w)
+static inline void tree_ray(void *user, ray r, int k, const lit_hit *x, vec3 brought)
 {
-    const lit_hit *x = &w->stack[w->k].x;
-    double z0 = (double)w->r.o.z, y0 = (double)w->r.o.y;
-    double z1 = (double)(x->m ? x->s.p.z : w->r.o.z + 150 * w->r.d.z);
-    double y1 = (double)(x->m ? x->s.p.y : w->r.o.y + 150 * w->r.d.y);
-    double width = w->N == 1 ? 2.2 : w->k < 2 ? 2 : w->N == 2 || w->k == 2 ? 1.3 : 0.7;
-    if (w->k == 0) {                           /* of the eye ray, the end */
+    tree_seen *seen = user;
+    figure *g = seen->g;
+    int N = seen->N;
+    double z0 = (double)r.o.z, y0 = (double)r.o.y;
+    double z1 = (double)(x->m ? x->s.p.z : r.o.z + 150 * r.d.z);
+    double y1 = (double)(x->m ? x->s.p.y : r.o.y + 150 * r.d.y);
+    double width = N == 1 ? 2.2 : k < 2 ? 2 : N == 2 || k == 2 ? 1.3 : 0.7;
+    if (k == 0) {                              /* of the eye ray, the end */
         double part = (z1 + 150) / (z1 - z0);
         z0 = z1 + (z0 - z1) * part, y0 = y1 + (y0 - y1) * part;
     }
-    figure_line(g, z0, y0, z1, y1, tree_colour[w->k], width, x->m ? FIGURE_WHOLE : FIGURE_DASHED);
-    if (x->m) figure_dot(g, z1, y1, w->k < 3 ? 3 : 2, tree_colour[w->k]);
-    if (x->m && !vzero(w->brought)) figure_dot(g, z1, y1, 6, FIGURE_RED);
-    if (x->m && w->N == 1) {
+    figure_line(g, z0, y0, z1, y1, tree_colour[k], width, x->m ? FIGURE_WHOLE : FIGURE_DASHED);
+    if (!x->m) return;
+    figure_dot(g, z1, y1, k < 3 ? 3 : 2, tree_colour[k]);
+    if (!vzero(brought)) figure_dot(g, z1, y1, 6, FIGURE_RED), seen->lit++;
+    if (N == 1) {
         bool right = z1 > 550;  /* beyond the rear wall */
         figure_print(g, z1, y1, right ? 8 : -9, -6, right ? FIGURE_LEFT : FIGURE_RIGHT,
-                     tree_colour[w->k], "*x*~%d~", w->k);
+                     tree_colour[k], "*x*~%d~", k);
     }
 }
 
@@ -62,15 +67,14 @@ static inline void tree_panel(figure *g, const options *o, const naive_path *p, 
     ray eye = camera_ray(cornell_camera(1), (real)(pixel % tree_side) + (real)0.5,
                          (real)(pixel / tree_side) + (real)0.5, tree_side, tree_side);
     naive_counts c = {{0}, 0, 0};
-    branching_walk w;
+    tree_seen seen = {g, N, 0};
+    branching w = {p, N, o->seed, pixel, 0, &c, tree_ray, &seen};
     char text[96], met[96];
-    int lit = 0;
     tree_room(g);
-    branching_start(&w, p, N, eye, o->seed, pixel, 0);
-    while (branching_next(&w, &c)) tree_ray(g, &w), lit += w.stack[w.k].x.m && !vzero(w.brought);
+    (void)branching_trace(&w, eye);
     snprintf(text, sizeof text, "_N_ = %d: %zu + %zu + %zu + %zu rays", N, c.rays[0], c.rays[1],
              c.rays[2], c.rays[3]);
-    snprintf(met, sizeof met, "%d met the lamp, %zu left the room", lit, c.escaped);
+    snprintf(met, sizeof met, "%d met the lamp, %zu left the room", seen.lit, c.escaped);
     figure_text(g, 220, 0, 0, 32, FIGURE_MIDDLE, FIGURE_BLACK, text);
     figure_text(g, 220, 0, 0, 52, FIGURE_MIDDLE, FIGURE_GREY, met);
     if (o->own) printf("N = %d: %zu + %zu + %zu + %zu rays; %s\n", N, c.rays[0], c.rays[1],
