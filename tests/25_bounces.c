@@ -31,6 +31,14 @@ static sampler second_pair(uint64_t i, uint32_t k)
     return s;
 }
 
+/* term[k]: a sample of K^k E, by the naive path. */
+static void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *term, bounce_counts *c)
+{
+    for (int k = 0; k <= p->depth; k++) term[k] = dark;
+    for (naive_walk w = naive_start(p, eye); naive_next(p, &w, s, &c->walk);)
+        term[w.bounces] = w.brought;
+}
+
 /* From somewhere within .1 of `from`, anywhere: rays that a closed room must stop. */
 static ray some_ray(vec3 from, uint64_t i)
 {

@@ -1,9 +1,8 @@
 /* terms.h: E, K E, K^2 E, ... each by itself: light by the number of its bounces.
  *
  *   vec3 term[depth + 1];
- *   bounce_terms(&p, eye, &s, term, &counts);       term[k]: a sample of K^k E, by the naive path;
- *                                                   added up in order: naive_radiance, bit by bit
- *   bounce_terms_lit(&p, eye, &s, term, &counts);   the same expectations, with far less noise
+ *   bounce_terms_lit(&p, eye, &s, term, &counts);   term[k]: a sample of K^k E, as w.brought of
+ *                                                   naive_path.h is, with far less noise
  *
  * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the
  * path takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap
@@ -25,19 +24,6 @@
 typedef struct { naive_counts walk; size_t sight; } bounce_counts;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline void bounce_clear(const naive_path *p, vec3 *term)
-{
-    for (int k = 0; k <= p->depth; k++) term[k] = (vec3){0, 0, 0};
-}
-
-static inline void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *term,
-                                bounce_counts *c)
-{
-    bounce_clear(p, term);
-    for (naive_walk w = naive_start(p, eye); naive_next(p, &w, s, &c->walk);)
-        term[w.bounces] = w.brought;
-}
 
 /* K E at x towards wo: one of the lights, each as likely as the others. */
 static inline vec3 bounce_direct(const lit_scene *s, const lit_lights *l, const lit_hit *x, vec3 wo,
@@ -68,7 +54,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
     lit_hit x;
     lit_lights lamps;
     lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
-    bounce_clear(p, term);
+    for (int k = 0; k <= p->depth; k++) term[k] = (vec3){0, 0, 0};
     if (naive_dark(p->scene)) return;
     for (int k = 0;; k++) {
         vec3 Le = naive_find(p, eye, k, &x, &met, &c->walk);
