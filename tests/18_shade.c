@@ -3,7 +3,6 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../chapters/18_shade/lab/pictures.h"
-#include "../chapters/18_shade/sight.h"
 
 /* ---- trace ----------------------------------------------------------------------------------- */
 

@@ -15,6 +15,7 @@
  *   tracer t = {&world, shade_programs, &s};
  *   vec3 c = shade_ray(&t, camera_ray(..));
  *   t.counts.rays[RAY_SHADOW]                      what it took
+ *   bool seen = sight(&t, a, b);                   can two points see each other?
  *
  * Programs that need more than a `shading` point tracer.user to a struct of their own that begins
  * with one: then shade_miss still finds it, and shade() is given it in any case.
@@ -104,6 +105,17 @@ static inline vec3 shade_ray(tracer *t, ray r)
     shade_seen seen = {{0, 0, 0}, real_infinity, {hit_none, 0}};
     trace(t, RAY_CAMERA, r, &seen);
     return seen.colour;
+}
+
+/* Ray casting (光线投射) that draws nothing: who sees whom in a game, antennas, view factors, guards.
+ * No ray where a surface itself is in between. The same answer for b, a: one ray serves both. */
+static inline bool sight(tracer *t, surface a, surface b)
+{
+    vec3 ab = vsub(b.p, a.p);
+    shade_lit answer = {false};
+    if (!(vdot(a.n, ab) > 0 && vdot(b.n, ab) < 0)) return false;
+    trace(t, RAY_SIGHT, leave_between(a, b), &answer);
+    return answer.lit;
 }
 
 #endif
