@@ -3,7 +3,6 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
-#include "../chapters/19_whitted/absorb.h"
 #include "../chapters/19_whitted/lab/optics_naive.h"
 #include "../chapters/19_whitted/media.h"
 

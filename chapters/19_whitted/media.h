@@ -26,8 +26,18 @@
  * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
  * Bodies entered at one place are taken by rising number: of equal priority, the higher fills.
  *
- * Source: C. Schmidt, B. Budge, "Simple Nested Dielectrics in Ray Traced Images", journal of
- * graphics tools 7(2), 2002 (priorities).
+ * What coloured glass keeps (吸收), by the law of Beer and Lambert:
+ *
+ *   dL/ds = -sigma L     =>     L(s) = L(0) e^(-sigma s)                      (19.9)
+ *
+ *   vec3 k = absorbed(sigma, s)                       the part that is left after a way s
+ *
+ * The deeper, the darker and the more saturated: the colour of glass is no property of its surface.
+ * After an infinite way nothing is left of what is absorbed, and all of what is not (sigma = 0: 0
+ * times infinity would be a NaN). sigma = 0 costs no exponential.
+ *
+ * Sources: C. Schmidt, B. Budge, "Simple Nested Dielectrics in Ray Traced Images", journal of
+ * graphics tools 7(2), 2002 (priorities); P. Bouguer 1729, J. Lambert 1760, A. Beer 1852.
  */
 #ifndef WHITTED_MEDIA_H
 #define WHITTED_MEDIA_H
@@ -37,7 +47,7 @@
 
 typedef struct {
     real ior;       /* refractive index (折射率) > 0 */
-    vec3 absorb;    /* per unit length: absorb.h */
+    vec3 absorb;    /* sigma of (19.9), per unit length */
     int priority;
 } medium;
 
@@ -50,6 +60,13 @@ typedef struct { uint32_t body; bool in, out; } media_face;
 typedef struct { int n; media_face face[media_most_faces]; } media_crossing;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline real absorbed_one(real a, real s) { return a == 0 ? 1 : exp(-a * s); }
+
+static inline vec3 absorbed(vec3 a, real s)
+{
+    return (vec3){absorbed_one(a.x, s), absorbed_one(a.y, s), absorbed_one(a.z, s)};
+}
 
 static inline uint32_t media_fills(const medium *m, const media_set *s)
 {

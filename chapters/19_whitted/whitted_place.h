@@ -18,7 +18,6 @@
 #ifndef WHITTED_PLACE_H
 #define WHITTED_PLACE_H
 
-#include "absorb.h"
 #include "contact.h"
 
 /* One ray of the tree. */

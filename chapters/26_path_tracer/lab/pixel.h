@@ -70,9 +70,9 @@ static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
         explain_vector(2, "(26.5)", "it is a lamp; its light adds", found);
     }
     if (t->glass && x.m->ior > 0) {
-        const lit_material *medium = w->medium;
+        const lit_material *before = w->medium;
         path_through_glass(t, w, &x, &s, &c);
-        explain_line(2, "(26.9)", w->medium == medium ? "glass: reflected" : w->medium
+        explain_line(2, "(26.9)", w->medium == before ? "glass: reflected" : w->medium
                      ? "glass: the path goes in" : "glass: the path goes out");
     } else {
         if (brdf_is_black(&x.m->f)) return true;
