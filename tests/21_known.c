@@ -324,7 +324,7 @@ static void test_silhouette(void)
         s = surface_facing(s, d);
         vec3 r = vmadd(d, s.ns, -2 * vdot(d, s.ns));
         lifted += vdot(r, s.n) < 0;
-        below += !(vdot(glossy_axis(s, d), s.n) > 0);
+        below += !(vdot(glossy_direction(s, d, real_infinity, (point2){0, 0}), s.n) > 0);
         ray w;
         real u0 = random_next(&q);
         point2 u = {u0, random_next(&q)};

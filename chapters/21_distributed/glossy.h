@@ -18,9 +18,7 @@
  * an upper bound elsewhere. The lobe keeps no more promises than that: it does not conserve energy,
  * and it is not reciprocal.
  *
- * A smoothed mesh (07) has two normals. r is made with the shading normal; if it leads below the
- * geometric one, at a silhouette, it is lifted into the surface's plane: otherwise mirrors would
- * have black rims. "Below" is meant for both normals.
+ * "Below" is meant for both normals of a smoothed mesh (07); r is lifted above its plane (19).
  *
  * Sources: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (gloss); B.
  * Phong, CACM 18(6), 1975 (the lobe); E. Lafortune, Y. Willems, "Using the modified Phong
@@ -30,23 +28,16 @@
 #define DISTRIBUTED_GLOSSY_H
 
 #include "../18_shade/leave.h"
+#include "../19_whitted/reflect.h"
 #include "../20_monte_carlo/sampler.h"
 #include "../20_monte_carlo/sampling.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (21.3), unit. Lifted, it is a hair above the surface, so that leave() takes the right side. */
-static inline vec3 glossy_axis(surface s, vec3 d)
-{
-    vec3 r = vunit(vmadd(d, s.ns, -2 * vdot(d, s.ns)));
-    real below = vdot(r, s.n);
-    return below < 0 ? vunit(vmadd(r, s.n, 16 * real_epsilon - below)) : r;
-}
-
 /* At infinity a mirror: (21.4) has all its weight at r. */
 static inline vec3 glossy_direction(surface s, vec3 d, real shine, point2 u)
 {
-    vec3 r = glossy_axis(s, d);
+    vec3 r = lifted(vunit(first_reflect(d, s.ns)), s.n);                               /* (21.3) */
     return isinf(shine) ? r : directed(r, sample_lobe(shine, u.u, u.v));
 }
 
