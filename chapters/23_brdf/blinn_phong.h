@@ -13,10 +13,9 @@
  *
  *   blinn_phong_scale(e)                C, 1/sr
  *   blinn_phong_power(e, h)             (n.h)^e
- *   blinn_phong_value(e, wi, wo)        f, 1/sr
  *   blinn_phong_pdf(e, wi, wo)          of wi given wo, 1/sr; includes wi below the surface
  *   blinn_phong_pdf_at(e, power, c)     the same where (n.h)^e = power, wo.h = c are known
- *   blinn_phong_normal(e, u, v)         h by its part of the pdf; wi = mirrored(wo, h)
+ *   sample_lobe(e, u, v)                h by its part of the pdf (20); wi = mirrored(wo, h)
  *
  * Sources: J. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977;
  * F. Giesen, "Derivation of the Phong and Blinn-Phong normalization factors", 2009 (C); E.
@@ -43,11 +42,6 @@ static inline real blinn_phong_scale(real e)
     return (e + 2) / (8 * pi) * ((e + 4) / (e + exp2(-e / 2)));
 }
 
-static inline real blinn_phong_value(real e, vec3 wi, vec3 wo)
-{
-    return blinn_phong_scale(e) * blinn_phong_power(e, half_vector(wi, wo));
-}
-
 static inline real blinn_phong_pdf_at(real e, real power, real c)
 {
     return (e + 1) / (8 * pi) * power / c;
@@ -57,7 +51,5 @@ static inline real blinn_phong_pdf(real e, vec3 wi, vec3 wo)
 {
     return blinn_phong_pdf_at(e, blinn_phong_power(e, half_vector(wi, wo)), half_angle(wi, wo));
 }
-
-static inline vec3 blinn_phong_normal(real e, real u, real v) { return sample_lobe(e, u, v); }
 
 #endif

@@ -124,7 +124,7 @@ static inline bool brdf_sample_blinn_phong(const brdf *b, vec3 wo, real u, real 
 {
     real p = b->chance, e = b->exponent;
     vec3 h, w;  /* u / p is below 1, rounding included: a float below p is p (1 - epsilon / 2) */
-    if (u < p) h = blinn_phong_normal(e, u / p, v), w = mirrored(wo, h);
+    if (u < p) h = sample_lobe(e, u / p, v), w = mirrored(wo, h);
     else w = sample_cosine((u - p) / (1 - p), v), h = half_vector(w, wo);
     if (brdf_behind(w)) return false;
     real power = blinn_phong_power(e, h);  /* once: it is most of the work */

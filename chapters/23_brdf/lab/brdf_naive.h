@@ -1,7 +1,7 @@
 /* brdf_naive.h: formulas that look right, and the input on which each of them fails.
  *
  *   call                              fails on                                  right one
- *   phong_naive(e, wi, wo)            e = 1: reflects 2.09 times what it gets   blinn_phong_value
+ *   phong_naive(e, wi, wo)            e = 1: reflects 2.09 times what it gets   brdf_blinn_phong
  *   blinn_phong_pdf_naive(e, wi, wo)  all of it: no 1 / (4 wo.h)                blinn_phong_pdf
  *   ggx_value_naive(a, wi, wo)        grazing: infinite energy; no Smith term   brdf_value
  *   ggx_d_naive(a, m)                 a^2 < epsilon, m = n: infinity            ggx_d
