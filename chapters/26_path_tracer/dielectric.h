@@ -48,7 +48,8 @@ static inline bool dielectric_rough(rough_glass g, vec3 n, vec3 wo, random_strea
     shading_frame f = shading_frame_of(n);
     real u = random_next(s), v = random_next(s), coin = random_next(s), weight;
     vec3 w;
-    if (!rough_glass_sample(&g, to_local(f, wo), u, v, coin, &w, &weight)) return false;
+    if (!rough_glass_sample(&g, to_local(f, wo), u, v, coin, &w, &weight))
+        return *through = false;
     *wi = to_world(f, w), *through = w.z < 0;
     *power = *through ? weight / dielectric_squeeze(g.n1, g.n2) : weight;
     return (vdot(*wi, n) < 0) == *through;
