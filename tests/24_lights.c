@@ -92,7 +92,7 @@ static void test_corners_without_a_normal(void)
     uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
     for (uint32_t k = 0; k < 2; k++) {
         lit_add_mesh(&s, &one, grey);
-        const uint32_t *now = s.part[k].normal;
+        const uint32_t *now = s.m.normal_index + 3 * k;
         check(now[0] == 2 * k + 1 && now[1] == mesh_none && now[2] == 2 * k, "mesh %u", k);
     }
     lit_end(&s), lit_free(&s);

@@ -43,8 +43,6 @@ typedef struct {
 /* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
 typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
 
-typedef struct { uint32_t corner[3], normal[3], emitter; uint16_t material; } lit_part;
-
 /* What is searched (15): the trees point at what they are made of. */
 typedef struct { mesh m; scene shapes; bvh8 of_mesh, of_shapes; } lit_trees;
 
@@ -63,8 +61,10 @@ typedef struct {
     lit_face *face;           /* [m.triangles] */
     bvh8_skip *skip;          /* [emitters] its triangles, as .first and .last; none: a sphere */
     lit_trees *trees;         /* made by lit_end; in a place of their own: a scene may be copied */
-    lit_part *part;           /* what was added, until lit_end */
-    struct { size_t v, n, parts, shapes, of_shape, materials, emitters; } room;
+    struct {
+        size_t v, n, index, normal_index, of_triangle, emitter_of, shapes, of_shape, materials,
+            emitters;
+    } room;
 } lit_scene;
 
 typedef struct {
@@ -101,16 +101,24 @@ static inline uint32_t lit_emitter(lit_scene *s, emitter e)
 /* Room for so many corners and triangles more. */
 static inline void lit_room(lit_scene *s, size_t points, size_t n)
 {
-    s->m.v = grown_by(s->m.v, s->m.vertices, points, &s->room.v, sizeof *s->m.v);
-    s->part = grown_by(s->part, s->m.triangles, n, &s->room.parts, sizeof *s->part);
+    mesh *m = &s->m;
+    size_t had = m->triangles, corners = 3 * sizeof *m->index;
+    m->v = grown_by(m->v, m->vertices, points, &s->room.v, sizeof *m->v);
+    m->index = grown_by(m->index, had, n, &s->room.index, corners);
+    m->normal_index = grown_by(m->normal_index, had, n, &s->room.normal_index, corners);
+    s->of_triangle = grown_by(s->of_triangle, had, n, &s->room.of_triangle, sizeof *s->of_triangle);
+    s->emitter_of = grown_by(s->emitter_of, had, n, &s->room.emitter_of, sizeof *s->emitter_of);
 }
 
 /* One triangle of corners that are in m.v already, without normals of its own. */
 static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t look,
                             uint32_t e)
 {
-    s->part[s->m.triangles++] = (lit_part){{(uint32_t)a, (uint32_t)b, (uint32_t)c},
-                                           {mesh_none, mesh_none, mesh_none}, e, look};
+    size_t i = s->m.triangles++;
+    uint32_t corner[3] = {(uint32_t)a, (uint32_t)b, (uint32_t)c};
+    memcpy(s->m.index + 3 * i, corner, sizeof corner);
+    for (size_t k = 3 * i; k < 3 * i + 3; k++) s->m.normal_index[k] = mesh_none;
+    s->of_triangle[i] = look, s->emitter_of[i] = e;
 }
 
 static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t look)
@@ -155,7 +163,7 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
         const uint32_t *of = (from->normal_index ? from->normal_index : from->index) + 3 * i;
         for (int j = 0; j < 3; j++)
             if (of[j] != mesh_none)
-                s->part[m->triangles - 1].normal[j] = (uint32_t)n + of[j];
+                m->normal_index[3 * (m->triangles - 1) + (size_t)j] = (uint32_t)n + of[j];
     }
 }
 
@@ -176,40 +184,23 @@ static inline lit_face lit_face_of(triangle t)
     return (lit_face){t.a, e, f, s.n, 2 * L, s.noise, surface_margin(t.a, L, k)};
 }
 
-/* What was added triangle by triangle becomes one array for each of its fields. */
-static inline void lit_split(lit_scene *s)
-{
-    mesh *m = &s->m;
-    size_t n = m->triangles;
-    m->index = allocate(n, 3 * sizeof *m->index);
-    if (m->n) m->normal_index = allocate(n, 3 * sizeof *m->normal_index);
-    s->of_triangle = allocate(n, sizeof *s->of_triangle);
-    s->emitter_of = allocate(n + s->shapes, sizeof *s->emitter_of);
-    s->face = allocate(n, sizeof *s->face);
-    for (size_t i = 0; i < n; i++) {
-        const lit_part *p = &s->part[i];
-        memcpy(m->index + 3 * i, p->corner, sizeof p->corner);
-        if (m->n) memcpy(m->normal_index + 3 * i, p->normal, sizeof p->normal);
-        s->of_triangle[i] = p->material, s->emitter_of[i] = p->emitter;
-        s->face[i] = lit_face_of(mesh_triangle(m, i));
-    }
-    free(s->part);
-    s->part = NULL;
-}
-
 static inline void lit_end(lit_scene *s)
 {
     failure f;
-    lit_split(s);
+    size_t n = s->m.triangles;
+    s->face = allocate(n, sizeof *s->face);
+    for (size_t i = 0; i < n; i++) s->face[i] = lit_face_of(mesh_triangle(&s->m, i));
+    s->emitter_of = grown_by(s->emitter_of, n, s->shapes, &s->room.emitter_of,
+                             sizeof *s->emitter_of);
     for (size_t i = 0; i < s->shapes; i++) {
         bool ball = s->shape[i].kind == SHAPE_SPHERE;
         vec3 Le = s->material[s->of_shape[i]].Le;
         uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
-        s->emitter_of[s->m.triangles + i] = e;
+        s->emitter_of[n + i] = e;
     }
     s->skip = allocate(s->emitters, sizeof *s->skip);
     for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;
-    for (uint32_t i = (uint32_t)s->m.triangles; i-- > 0;) {
+    for (uint32_t i = (uint32_t)n; i-- > 0;) {
         if (s->emitter_of[i] == lit_dark) continue;
         bvh8_skip *k = &s->skip[s->emitter_of[i]];
         k->first = i, k->last = k->last == no_shape ? i : k->last;
@@ -227,7 +218,7 @@ static inline void lit_free(lit_scene *s)
     if (s->trees) bvh8_free(&s->trees->of_mesh), bvh8_free(&s->trees->of_shapes);
     free(s->trees), free(s->skip);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
-    free(s->emitter), free(s->emitter_of), free(s->face), free(s->part);
+    free(s->emitter), free(s->emitter_of), free(s->face);
     lit_begin(s);
 }
 
