@@ -200,11 +200,11 @@ static void test_pair(void)
                 double T[2], S[2];
                 transport t = furnace_transport(0.5, E, rho, j);
                 for (int k = 0; k <= depth; k++) {
-                    transport_term(&t, k, T);
+                    transport_bounces(&t, k, false, T);
                     check_at_least(t_test(e[j][k], T[seen], 100 * eps * T[seen]), alarm,
                                    "K^%d E: %g, exact %g", k, e[j][k].mean, T[seen]);
                 }
-                transport_sum(&t, depth, S);
+                transport_bounces(&t, depth, true, S);
                 check_at_least(t_test(whole[j], S[seen], 100 * eps * S[seen]), alarm,
                                "%s, patch %d, channel %d: %g +- %g, exact %g",
                                choice_name[draws[way]], seen, j, whole[j].mean,
@@ -248,7 +248,7 @@ static void test_radiosity(void)
         row = check_worse(row, fabs(sum - 1));
     }
     check_at_most(row, 64 * eps, "closed: what leaves a square arrives somewhere");
-    transport_sum(&fine, 150, L);  /* .9^150 would leave 1e-7, but the radius is near .55 */
+    transport_bounces(&fine, 150, true, L);  /* .9^150 leaves 1e-7, but the radius is near .55 */
     check_at_most(transport_radius(&fine, 200), 0.7, "so the sum is the whole");
     check(transport_solve(&rough, coarse), "regular");
     for (int i = 0; i < 2; i++) {

@@ -76,18 +76,18 @@ static void test_two_patches(void)
     check_close(L[0], 2.375 / 0.421875, 1e-14, "(I - K)^-1 E, first");
     check_close(L[1], 1.625 / 0.421875, 1e-14, "(I - K)^-1 E, second");
     for (int k = 0; k <= 12; k++) {
-        transport_term(&t, k, T), transport_sum(&t, k, S);
+        transport_bounces(&t, k, false, T), transport_bounces(&t, k, true, S);
         for (int i = 0; i < 2; i++) sum[i] += T[i];
         for (int i = 0; i < 2; i++)
             check_close(S[i], sum[i], 1e-14, "%d terms of patch %d add up", k + 1, i);
     }
-    transport_term(&t, 2, T);
+    transport_bounces(&t, 2, false, T);
     check_equal(T[0], 0.125 * 0.875 + 0.5 * 1.125, "K^2 E by hand, first");
     check_equal(T[1], 0.25 * 0.875 + 0.375 * 1.125, "K^2 E by hand, second");
     check_equal(transport_norm(&t), 0.625, "largest row");
     double root = (a + d) / 2 + sqrt((a - d) * (a - d) / 4 + b * c);
     check_close(transport_radius(&t, 200), root, 1e-14, "spectral radius");
-    transport_sum(&t, 200, S);  /* .625^201 = 1e-41 is left out */
+    transport_bounces(&t, 200, true, S);  /* .625^201 = 1e-41 is left out */
     check_close(S[0], L[0], 1e-14, "the series' limit, first");
     check_close(S[1], L[1], 1e-14, "the series' limit, second");
     transport_free(&t);
@@ -103,7 +103,7 @@ static void test_convergence(void)
     check_close(transport_radius(&t, 400), sqrt(0.5), 1e-15, "to and fro: -radius, too");
     check(transport_solve(&t, L), "regular all the same");
     check_close(L[0], 4, 1e-14, "L0 = (1 + 1) / (1 - 1/2)");
-    transport_sum(&t, 100, S);  /* 2^-50 of it is left */
+    transport_bounces(&t, 100, true, S);  /* 2^-50 of it is left */
     check_close(S[0], 4, 1e-13, "and the series gets there");
     transport_free(&t);
 
@@ -111,7 +111,7 @@ static void test_convergence(void)
     check(!transport_solve(&t, L), "closed and white: singular");
     check_close(transport_radius(&t, 100), 1, 1e-14, "radius 1");
     for (int n = 1; n <= 1000; n *= 10) {
-        transport_sum(&t, n, S);
+        transport_bounces(&t, n, true, S);
         check_equal(S[0], n + 1, "grows by E each bounce, n = %d", n);
     }
     transport_free(&t);
@@ -127,7 +127,7 @@ static void test_convergence(void)
     t.K[0] = 2, t.E[0] = 1;
     check(transport_solve(&t, L), "rho = 2 has a solution");
     check_equal(L[0], -1, "L = -1: negative light");
-    transport_sum(&t, 10, S);
+    transport_bounces(&t, 10, true, S);
     check_equal(S[0], 2047, "no sum of positive terms gets there");
     transport_free(&t);
 }

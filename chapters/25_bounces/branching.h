@@ -38,7 +38,7 @@ typedef struct {
     int N;
     uint64_t seed, pixel, sample;
     naive_counts *counts;
-    /* Is told of each ray, what it brought, and what it met (x->m NULL: nothing), after k bounces. */
+    /* Is told of each ray, what it brought and what it met (x->m NULL: nothing) after k bounces. */
     void (*see)(void *user, ray r, int k, const lit_hit *x, vec3 brought);  /* NULL: nobody looks */
     void *user;
 } branching;

@@ -65,11 +65,6 @@ static inline bool naive_dark(const lit_scene *s) { return !s->emitters && vzero
 
 static inline bool naive_black(const lit_material *m) { return m->ior > 0 || brdf_is_black(&m->f); }
 
-static inline void naive_count(naive_counts *c, int bounces)
-{
-    c->rays[bounces < naive_depths ? bounces : naive_depths - 1]++;
-}
-
 static inline size_t naive_rays(const naive_counts *c)
 {
     size_t n = 0;
@@ -91,7 +86,7 @@ static inline vec3 naive_through(vec3 a, vec3 weight)
 fast_inline vec3 naive_find(const naive_path *p, ray r, int bounces, lit_hit *x, bool *met,
                             naive_counts *c)
 {
-    naive_count(c, bounces);
+    c->rays[bounces < naive_depths ? bounces : naive_depths - 1]++;
     *met = lit_trace(p->scene, r, x);
     if (*met) return lit_emitted(x);
     c->escaped++;

@@ -12,8 +12,8 @@
  *
  *   transport t = transport_new(n);       n < 46341 patches, all zero; fill t.E[i], t.K[i * n + j]
  *   transport_apply(&t, L, out);          out = K L; not in place                    O(n^2)
- *   transport_term(&t, k, out);           K^k E                                      O(k n^2)
- *   transport_sum(&t, k, out);            E + K E + ... + K^k E
+ *   transport_bounces(&t, k, false, out); K^k E                                      O(k n^2)
+ *   transport_bounces(&t, k, true, out);  E + K E + ... + K^k E
  *   transport_solve(&t, out)              (25.2) by elimination; false if I - K is singular, O(n^3)
  *   transport_norm(&t)                    ||K|| = largest sum of a row
  *   transport_radius(&t, steps)           spectral radius (谱半径) of a K >= 0, by powers
@@ -62,8 +62,9 @@ static inline void transport_apply(const transport *t, const double *L, double *
     }
 }
 
-/* out = E, and then k times out = K out, + E if that is asked for. */
-static inline void transport_go(const transport *t, int k, bool sum, double *out)
+/* out = E, and then k times out = K out, + E if the sum is asked for: S_0 = E, S_k = E + K S_(k-1),
+ * what the recursion of the notes computes, from the inside out. */
+static inline void transport_bounces(const transport *t, int k, bool sum, double *out)
 {
     double *old = allocate((size_t)t->n, sizeof *old);
     for (int i = 0; i < t->n; i++) out[i] = t->E[i];
@@ -73,17 +74,6 @@ static inline void transport_go(const transport *t, int k, bool sum, double *out
         for (int i = 0; sum && i < t->n; i++) out[i] += t->E[i];
     }
     free(old);
-}
-
-static inline void transport_term(const transport *t, int k, double *out)
-{
-    transport_go(t, k, false, out);
-}
-
-/* S_0 = E, S_k = E + K S_(k-1): what the recursion of the notes computes, from the inside out. */
-static inline void transport_sum(const transport *t, int k, double *out)
-{
-    transport_go(t, k, true, out);
 }
 
 /* Largest pivot in column c, from row c on: its row. */
