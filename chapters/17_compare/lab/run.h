@@ -56,10 +56,11 @@ static inline void draw_pictures(const compare_settings *c)
     output_picture(o, &im, "17_compare.png", true, whole);
     image_free(&im);
     if (o->out) return;
+    closed_draw(o);
+    if (!o->full && !o->quick && !c->to) return;
     if (!scene_world(scene_find("teapot"), o->quick ? 3 : 12, &w, &f)) fail(f);
     draw_visits(c, &w, true);
     world_free(&w);
-    closed_draw(o);
 }
 
 /* Scene k of --mesh, or of the list; false: not wanted. */
