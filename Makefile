@@ -4,6 +4,7 @@
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
 # make soak       all tables, and all tests with eight times the counts   MINUTES=30: half an hour of random numbers
+# make tax        27's last table: what being general costs, against 18, 19 and 26; part of full-27
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
@@ -102,13 +103,17 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
+.PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
 # First the three that take longest to compile, else one core waits for them at the end.
 all: $(addprefix $(BUILD)/,$(filter 27_% 17_% 26_%,$(CHAPTERS)) $(CHAPTERS))
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
 	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+
+$(BUILD)/27_tax: chapters/27_effects/lab/tax.c $(STAMP)
+	$(if $(V),,@echo "CC 27_tax")
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
@@ -158,6 +163,10 @@ $(CHAPTERS:%=run-%): run-%: $(BUILD)/%
 $(CHAPTERS:%=full-%): full-%: $(BUILD)/%
 	@echo; echo "== $* --full"
 	$(Q)$(BUILD)/$* --full
+	$(Q)$(if $(filter 27_%,$*),$(BUILD)/27_tax)
+full-27_effects tax: $(BUILD)/27_tax
+tax:
+	$(Q)$(BUILD)/27_tax
 define run_number
 .PHONY: run-$(1) full-$(1)
 run-$(1): $(addprefix run-,$(filter $(1)_%,$(CHAPTERS)))
@@ -218,7 +227,7 @@ soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
 
 # FULL=1: of what the programs print with --full, but for BRIEF=".." of them; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
 # BENCH_ONCE: times, which nobody compares, are taken once.
-pages: all
+pages: all $(if $(FULL),$(BUILD)/27_tax)
 	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" BRIEF="$(BRIEF)" KEEP="$(KEEP)" sh tests/pages.sh
 
 precision:

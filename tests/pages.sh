@@ -144,6 +144,7 @@ run_one() {
     # shellcheck disable=SC2046
     "$BUILD/$1" $(full "$1") ${KEEP:+--csv "$KEEP/$1.csv"} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
+    if [ "$1" = 27_effects ] && [ -n "$(full "$1")" ]; then "$BUILD/27_tax" >>"$scratch/run/$1.out"; fi
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
 # Each worker takes the next program that nobody has taken, the longest first: 17, and then the last chapters.

@@ -7,10 +7,10 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *
  * Without options: six scenes, each a line longer, and what they took; --full: scenes/demo.scene as
- * well, the price list, and what being general costs. With some the picture goes to build/, if
- * --out names no other, and the scene is the last of the six, if none is named. What the command
- * line says of camera, lens, lights and surroundings replaces what the files say; the words are
- * those of scene files. */
+ * well, and the price list. With some the picture goes to build/, if --out names no other, and the
+ * scene is the last of the six, if none is named. What the command line says of camera, lens,
+ * lights and surroundings replaces what the files say; the words are those of scene files. What
+ * being general costs: lab/tax.c. */
 #include "lab/command.h"
 #include "lab/explain.h"
 

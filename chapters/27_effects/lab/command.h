@@ -14,7 +14,6 @@
 #include "../files/effects_read.h"
 #include "price.h"
 #include "six.h"
-#include "tax.h"
 
 typedef struct {
     const char *path, *effects;
@@ -111,7 +110,7 @@ static inline bool request_tables(const options *o, const request *q, const plan
     if (page || q->priced)
         return table_of_price(o, p, e, w > 0 ? w : 1, h > 0 ? h : 1,
                               j->samples > 16 ? 16 : j->samples)
-            && (!page || (draw_two(o) && table_of_tax(o)));
+            && (!page || draw_two(o));
     table_of_effects(o, p, j);
     printf("# %d samples a pixel, %.3g s", j->samples, j->pass.seconds);
     if (j->samples > 1) printf(", error rmse %.3g by halves", j->error);
