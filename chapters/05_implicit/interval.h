@@ -70,7 +70,7 @@ static inline interval interval_add(interval a, interval b)
 }
 static inline interval interval_sub(interval a, interval b)
 {
-    return interval_out(a.lo - b.hi, a.hi - b.lo);
+    return interval_add(a, interval_neg(b));
 }
 
 /* inf * 0, a NaN, is not empty: anything may come out. The sum of the four finds it. */

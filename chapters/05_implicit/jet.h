@@ -34,10 +34,7 @@ static inline jet jet_add(jet a, jet b)
 {
     return (jet){interval_add(a.v, b.v), interval_add(a.d, b.d)};
 }
-static inline jet jet_sub(jet a, jet b)
-{
-    return (jet){interval_sub(a.v, b.v), interval_sub(a.d, b.d)};
-}
+static inline jet jet_sub(jet a, jet b) { return jet_add(a, jet_neg(b)); }
 static inline jet jet_mul(jet a, jet b)
 {
     return (jet){interval_mul(a.v, b.v),

@@ -9,7 +9,6 @@
  *       f changes its sign                   a root: Newton, some 5 evaluations instead of 50
  *       it does not, but f comes nearer to   a turning point of f lies between: it is looked for,
  *       0 at a, and goes from it at b        until f has changed its sign there, or cannot
- *   implicit_slope(&s, r, t)                 f' along the ray: grad f . d, or by differences
  *
  * Finds pairs of roots that n steps alone would miss; still misses what does more than one turn in
  * a step, and a double root (重根) whose f does not go below 0 in rounded numbers.
@@ -22,23 +21,14 @@
 #include "../01_ray/hit.h"
 #include "surface.h"
 
-typedef struct { real t, f, slope; } implicit_end;  /* of a step */
+typedef struct { real t, f, slope; } implicit_end;  /* of a step; f' = grad f . d */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real implicit_slope(const implicit_surface *s, ray r, real t)
-{
-    vec3 p = ray_at(r, t);
-    if (s->gradient) return vdot(s->gradient(s->data, p), r.d);
-    real step = vlargest(r.d), size = vlargest(p);
-    real h = implicit_step(size) / step;
-    real apart = (t + h) - (t - h);
-    return (implicit_value(s, ray_at(r, t + h)) - implicit_value(s, ray_at(r, t - h))) / apart;
-}
-
 static inline implicit_end implicit_end_at(const implicit_surface *s, ray r, real t)
 {
-    return (implicit_end){t, implicit_value(s, ray_at(r, t)), implicit_slope(s, r, t)};
+    vec3 p = ray_at(r, t);
+    return (implicit_end){t, implicit_value(s, p), vdot(implicit_gradient(s, p), r.d)};
 }
 
 /* f < 0 at one of a, b and not at the other: where it changes, to the last bit or two of t. */

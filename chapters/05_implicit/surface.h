@@ -42,13 +42,11 @@ typedef struct {
 
 static inline real implicit_value(const implicit_surface *s, vec3 p) { return s->f(s->data, p); }
 
-/* The step of a difference: its own error grows with h^2, that of rounding f with 1 / h, so the
- * best is the third root of epsilon, of the size of what is moved. */
-static inline real implicit_step(real size) { return cbrt(real_epsilon) * real_max(size, 1); }
-
+/* The error of a difference over h grows with h^2, that of rounding f with 1 / h, so the best h is
+ * the third root of epsilon, of the size of what is moved. */
 static inline vec3 implicit_differences(const implicit_surface *s, vec3 p)
 {
-    real h = implicit_step(vlargest(p));
+    real h = cbrt(real_epsilon) * real_max(vlargest(p), 1);
     vec3 g = {0, 0, 0};
     for (int k = 0; k < 3; k++) {
         vec3 on = vwith(p, k, vaxis(p, k) + h), before = vwith(p, k, vaxis(p, k) - h);
