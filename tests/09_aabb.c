@@ -333,16 +333,17 @@ static void test_lanes(void)
     size_t missed = 0, late = 0, differ = 0, empty = 0, shrunk = 0, n = check_count(500000);
     for (size_t i = 0; i < n; i++) {
         aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
-        aabb8 eight = aabb8_empty();
-        aabb4 four = aabb4_empty();
+        aabb8 eight;
+        aabb4 four;
+        lanes_empty(eight.side[0], 8), lanes_empty(four.side[0], 4);
         aabb_trial c = aabb_trial_of(kind, 7, i);
         aabb_lanes l = aabb_lanes_of(c.r);
         float t[8], u[4];
         empty += aabb8_hit(&eight, &l, t) | aabb4_hit(&four, &l, u);
         for (int k = 0; k < 8; k++) {
             aabb b = aabb_trial_of(kind, 7, i + (size_t)k * 6).b;
-            if (k != 5) aabb8_put(&eight, k, b);
-            if (k < 4) aabb4_put(&four, k, b);
+            if (k != 5) lanes_put(eight.side[0], 8, k, b);
+            if (k < 4) lanes_put(four.side[0], 4, k, b);
         }
         unsigned mask = aabb8_hit(&eight, &l, t), mask4 = aabb4_hit(&four, &l, u);
         differ += (mask & 15) != mask4 || mask & 32;

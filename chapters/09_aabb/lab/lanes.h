@@ -7,13 +7,13 @@
  *   3  hi.x       .   .   .   .   .   .   .   .       branches: plain C, of which compilers make
  *   ...                                               vector instructions.
  *
- *   aabb8 group = aabb8_empty();            eight boxes that no ray meets
- *   aabb8_put(&group, k, b);                box k [0..7], rounded outwards to float
+ *   aabb8 group;  lanes_empty(group.side[0], 8);       eight boxes that no ray meets
+ *   lanes_put(group.side[0], 8, k, b);      box k [0..7], rounded outwards to float
  *   aabb_lanes l = aabb_lanes_of(r);        once a ray
  *   unsigned mask = aabb8_hit(&group, &l, t_enter);    bit k: box k is hit, not before the float
  *                                           t_enter[k]; that of a box that is missed says nothing
  *   l.tmax = float_above(t);                once something was hit at t
- *   aabb4_empty, aabb4_put, aabb4_hit       four boxes; 24 bytes a box in both
+ *   aabb4, aabb4_hit                        four boxes; 24 bytes a box in both
  *
  * As in aabb.h: never a false negative, and t_enter[k] is never behind the exact one. A float has
  * 24 bits: what passes a box by some 1e-6 of its distance, or of the coordinates, may be reported.
@@ -100,21 +100,9 @@ static inline void lanes_put(float *side, int n, int k, aabb b)
     }
 }
 
-static inline void aabb4_put(aabb4 *group, int k, aabb b) { lanes_put(group->side[0], 4, k, b); }
-static inline void aabb8_put(aabb8 *group, int k, aabb b) { lanes_put(group->side[0], 8, k, b); }
-
-static inline aabb4 aabb4_empty(void)
+static inline void lanes_empty(float *side, int n)
 {
-    aabb4 group;
-    for (int k = 0; k < 4; k++) aabb4_put(&group, k, aabb_empty());
-    return group;
-}
-
-static inline aabb8 aabb8_empty(void)
-{
-    aabb8 group;
-    for (int k = 0; k < 8; k++) aabb8_put(&group, k, aabb_empty());
-    return group;
+    for (int k = 0; k < n; k++) lanes_put(side, n, k, aabb_empty());
 }
 
 #endif

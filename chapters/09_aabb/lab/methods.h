@@ -35,7 +35,8 @@ static inline aabb_work *work_new(uint64_t seed)
         vec3 c = random_in_cube(&s, 1), e = vadd(random_in_cube(&s, 1), vec(1, 1, 1));
         e = vscale(e, (real)0.3);
         w->b[i] = (aabb){vsub(c, e), vadd(c, e)};
-        aabb4_put(&w->b4[i / 4], i % 4, w->b[i]), aabb8_put(&w->b8[i / 8], i % 8, w->b[i]);
+        lanes_put(w->b4[i / 4].side[0], 4, i % 4, w->b[i]);
+        lanes_put(w->b8[i / 8].side[0], 8, i % 8, w->b[i]);
         w->ball[i] = (aabb_ball){c, vlength(e)};
         w->turned[i] = (aabb_turned){.c = c, .half = e, .axis = {vunit(random_in_cube(&s, 1))}};
         vbasis(w->turned[i].axis[0], &w->turned[i].axis[1], &w->turned[i].axis[2]);

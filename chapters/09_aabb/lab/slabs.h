@@ -97,10 +97,10 @@ AABB_UNPREPARED(aabb_hit_ize)
 /* One box of eight; the others are empty. */
 static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
 {
-    aabb8 group = aabb8_empty();
+    aabb8 group;
     aabb_lanes l = aabb_lanes_of(r);
     float t[8];
-    aabb8_put(&group, 5, b);
+    lanes_empty(group.side[0], 8), lanes_put(group.side[0], 8, 5, b);
     if (!(aabb8_hit(&group, &l, t) & 32)) return false;
     *t_enter = (real)t[5];
     return true;
