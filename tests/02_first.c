@@ -1,7 +1,7 @@
 /* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view. Nearly along
  * it: test_frames_near_parallel in 02_camera.c. */
 #include "02_oracle.h"
-#include "../chapters/02_camera/samples.h"
+#include "../chapters/02_camera/filter.h"
 #include "check.h"
 
 static const double eps = (double)real_epsilon;

@@ -56,14 +56,6 @@ static inline bool frame_input_is_usable(vec3 e, vec3 target, vec3 up, vec3 back
     return true;
 }
 
-static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
-{
-    return camera_refused(
-        why, "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
-        (double)up.x, (double)up.y, (double)up.z,
-        0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
-}
-
 /* u comes from `up` and `back` as they are given, through products that lose nothing: at any angle
  * it stands at right angles to both within a few epsilon. An angle of less than 4 epsilon is
  * refused: it is of the size that rounding the input makes of zero.
@@ -82,7 +74,10 @@ static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out
     }
     vec3 u = vcross_accurate(a, b), w = vunit(b);
     if (vlength(u) <= 4 * real_epsilon * vlength(a) * vlength(b))
-        return frame_is_parallel(up, back, why);
+        return camera_refused(
+            why, "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
+            (double)up.x, (double)up.y, (double)up.z,
+            0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
     u = vunit(u);
     *out = (camera_frame){e, u, vcross(w, u), w};
     return true;

@@ -17,7 +17,6 @@
 #include "../../../common/lab/panels.h"
 #include "../camera.h"
 #include "../filter.h"
-#include "../samples.h"
 #include "room.h"
 
 typedef struct camera_view camera_view;
