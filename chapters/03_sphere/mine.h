@@ -2,9 +2,6 @@
  *     make mine-03 MINE=my.h
  * It must be called mine_sphere_hit; the types of first.h (01 and 03) are there without #include.
  * True if the ray meets the sphere at a t in [tmin, tmax]; *out = {t, 0, 0, 0} of the first. */
-#ifndef SPHERE_MINE_H
-#define SPHERE_MINE_H
-
 /* By a drawing: along the unit direction to the middle of the chord, then half of it back. */
 static inline bool mine_sphere_hit(sphere s, ray r, hit *out)
 {
@@ -19,4 +16,3 @@ static inline bool mine_sphere_hit(sphere s, ray r, hit *out)
     *out = (hit){t, 0, 0, 0};
     return true;
 }
-#endif

@@ -2,9 +2,6 @@
  *     make mine-04 MINE=my.h
  * It must be called mine_triangle_hit; the types of first.h (01 and 04) are there without #include.
  * True if the ray meets the triangle at a t in [tmin, tmax]; then *out = {t, u, v, 0}. */
-#ifndef TRIANGLE_MINE_H
-#define TRIANGLE_MINE_H
-
 /* The plane, and then three cross products: on which side of each edge is p? */
 static inline bool mine_triangle_hit(triangle tri, ray r, hit *out)
 {
@@ -19,4 +16,3 @@ static inline bool mine_triangle_hit(triangle tri, ray r, hit *out)
     *out = (hit){t, u / vdot(n, n), v / vdot(n, n), 0};
     return true;
 }
-#endif

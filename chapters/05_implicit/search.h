@@ -74,12 +74,6 @@ static inline double implicit_middle(interval T)
     return T.lo / 2 + T.hi / 2;
 }
 
-/* Newton's formula over X (5.6): where a root of X must lie. m in X, F = f(m), slope = f'(X). */
-static inline interval implicit_newton_range(double m, interval F, interval slope)
-{
-    return interval_sub(interval_at(m), interval_div(F, slope));
-}
-
 /* A root that T could not prove because it lies at, or next to, its end: tried in three times T.
  * Where T is one number, eight of them: with fewer, less is proven, and nothing wrong.
  * False: proven to lie outside of [tmin, tmax]. */
@@ -91,7 +85,8 @@ static inline bool implicit_prove(implicit_search *z, implicit_root *root)
     interval slope = implicit_range(z->s, z->r, X).d;
     z->pieces++;
     if (!interval_is_bounded(slope) || interval_has(slope, 0)) return true;
-    interval N = implicit_newton_range(m, implicit_range(z->s, z->r, interval_at(m)).v, slope);
+    interval F = implicit_range(z->s, z->r, interval_at(m)).v;
+    interval N = interval_sub(interval_at(m), interval_div(F, slope));                  /* (5.6) */
     if (!(N.lo > X.lo && N.hi < X.hi)) return true;
     *root = (implicit_root){N.lo, N.hi, true};
     z->done = X.hi;  /* the only one in X */
@@ -132,7 +127,8 @@ static inline bool implicit_settle(implicit_search *z, implicit_piece p, implici
     }
     if (!interval_has(interval_add(F, spread), 0)) return false;
     if (rises) {
-        interval N = implicit_newton_range(m, F, J.d), rest = interval_meet(N, T);      /* (5.6) */
+        interval N = interval_sub(interval_at(m), interval_div(F, J.d));                /* (5.6) */
+        interval rest = interval_meet(N, T);
         p.single = p.single || (N.lo > T.lo && N.hi < T.hi);
         if (interval_is_empty(rest)) return false;
         p.T = rest;

@@ -85,7 +85,7 @@ fast_inline size_t csg_walk(const csg *c, ray r, csg_frame *frame, csg_crossing 
             bool was_right = top->right;
             top->right = true;
             if (was_right) n = csg_join(parent, *top, n, list, merge), f--;
-            else if (n == top->start && csg_ends_empty(parent->what)) i = parent->end, f--;
+            else if (n == top->start && parent->what != CSG_UNION) i = parent->end, f--;
             else {
                 top->middle = n;
                 break;

@@ -41,9 +41,6 @@ static inline bool csg_inside(csg_operation what, bool a, bool b)
     return what == CSG_UNION ? a || b : what == CSG_INTERSECTION ? a && b : a && !b;
 }
 
-/* Out of a set without points nothing is cut, and with it nothing is shared. */
-static inline bool csg_ends_empty(csg_operation what) { return what != CSG_UNION; }
-
 static inline size_t spans_merge(csg_operation what, const csg_crossing *a, size_t na,
                                  const csg_crossing *b, size_t nb, csg_crossing *out)
 {

@@ -104,7 +104,7 @@ static inline vec3 mesh_normal(const mesh *m, size_t i, real u, real v)
     vec3 a = vunit(mesh_corner_normal(m, i, 0)), b = vunit(mesh_corner_normal(m, i, 1)),
          c = vunit(mesh_corner_normal(m, i, 2)), n = {0, 0, 0};
     if (!vzero(a) && !vzero(b) && !vzero(c))
-        n = vunit(vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v));
+        n = vunit(barycentric_mix(a, b, c, u, v));
     return vzero(n) ? triangle_normal(mesh_triangle(m, i)) : n;
 }
 
@@ -115,7 +115,7 @@ static inline bool mesh_texture(const mesh *m, size_t i, real u, real v, vec3 *o
     const uint32_t *k = m->texture_index + 3 * i;
     if (!m->texture_index || k[0] == mesh_none || k[1] == mesh_none || k[2] == mesh_none)
         return false;
-    *out = vmadd(vmadd(vscale(m->t[k[0]], 1 - u - v), m->t[k[1]], u), m->t[k[2]], v);
+    *out = barycentric_mix(m->t[k[0]], m->t[k[1]], m->t[k[2]], u, v);
     return true;
 }
 

@@ -6,7 +6,6 @@
  *          3 --4   |     polygon p = polygon_of(corners, count);  O(count), corners are not copied
  *         /        |     bool polygon_hit(p, r, &h)               O(count); h.u = h.v = 0
  *        6---------0     bool polygon_hit_sheared(p, &s, r, &h)   the same, the ray prepared once
- *                        vec3 polygon_normal(p)                   unit n, or 0 for no area
  *
  * Seen along the ray the polygon is flat and the ray is the origin (0,0) of that picture (4.9).
  * Walk to the right along the x axis: a way out of the polygon crosses its edges an odd number of
@@ -73,8 +72,6 @@ static inline polygon polygon_of(const vec3 *v, size_t n)
     p.trust = steep < 2 ? (float)steep : INFINITY;
     return p;
 }
-
-static inline vec3 polygon_normal(polygon p) { return p.normal; }
 
 /* All corners are within 2 epsilon of its size of the plane: as near as rounding leaves them. */
 static inline bool polygon_is_flat(const polygon *p) { return p->trust <= (float)1 / 16; }

@@ -80,7 +80,7 @@ static inline vec3 shape_normal(shape s, hit h, vec3 p)
     case SHAPE_SPHERE: return sphere_normal(s.sphere, p);
     case SHAPE_TRIANGLE: return triangle_normal(s.triangle);
     case SHAPE_CONE: return cone_normal(s.cone, p);
-    case SHAPE_POLYGON: return polygon_normal(s.polygon);
+    case SHAPE_POLYGON: return s.polygon.normal;
     case SHAPE_OTHER: return s.other->normal(s.other->self, h, p);
     }
     return (vec3){0, 0, 0};

@@ -2,9 +2,6 @@
  *     make mine-09 MINE=my.h
  * It must be called mine_aabb_hit; the types of first.h (01 and 09) are there without #include.
  * True if box and ray have a point in common at a t in [tmin, tmax]; *t_enter: the first such t. */
-#ifndef AABB_MINE_H
-#define AABB_MINE_H
-
 /* The slabs of the axes one after another: what is left of the interval? */
 static inline bool mine_aabb_hit(aabb b, ray r, real *t_enter)
 {
@@ -17,4 +14,3 @@ static inline bool mine_aabb_hit(aabb b, ray r, real *t_enter)
     *t_enter = r.tmin;
     return r.tmin <= r.tmax;
 }
-#endif
