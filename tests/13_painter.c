@@ -13,22 +13,23 @@ static const char *const rule_name[painter_rules] = {"first", "random", "fewest"
 /* A piece as a fan of triangles. */
 static bool piece_covers(const painter *p, uint32_t k, const ray_shear *s, ray r)
 {
-    const painter_piece *x = &p->piece[k];
+    const fragment *x = &p->piece[k];
+    const vec3 *q = p->w.corner + x->corner;
     hit h;
-    for (uint32_t i = x->first + 2; i < x->first + x->corners; i++) {
-        triangle t = {p->corner[x->first], p->corner[i - 1], p->corner[i]};
+    for (uint32_t i = 2; i < x->corners; i++) {
+        triangle t = {q[0], q[i - 1], q[i]};
         if (triangle_hit_sheared(t, s, r, &h)) return true;
     }
     return false;
 }
 
-/* The triangle drawn last over the ray; no_shape if none. Rays are relative to the middle. */
+/* The triangle drawn last over the ray; no_shape if none. */
 static uint32_t drawn_last(const painter *p, const uint32_t *order, size_t n, ray r)
 {
-    r.o = vsub(r.o, p->middle);
+    r.o = workshop_place(&p->w, r.o), r.d = vscale(r.d, 1 / p->w.scale);
     ray_shear s = shear_of(r);
     while (n--)
-        if (piece_covers(p, order[n], &s, r)) return p->piece[order[n]].owner;
+        if (piece_covers(p, order[n], &s, r)) return p->piece[order[n]].item;
     return no_shape;
 }
 
@@ -172,11 +173,11 @@ static void test_pieces(void)
     check_at_most(10 * pieces_of(&torus, PAINTER_FEWEST, 1),
                   9 * pieces_of(&torus, PAINTER_RANDOM, 1), "looking at 16 saves a tenth and more");
     mesh_free(&torus);
-    mesh convex = octahedron_mesh(8);
+    mesh round = octahedron_mesh(8);
     for (int k = 0; k < painter_rules; k++)
-        check_equal(pieces_of(&convex, (painter_rule)k, 1), convex.triangles,
+        check_equal(pieces_of(&round, (painter_rule)k, 1), round.triangles,
                     "planes of a convex mesh cut nothing");
-    mesh_free(&convex);
+    mesh_free(&round);
 }
 
 /* Powers of two scale without rounding: nothing may change, nor overflow, nor vanish. */
@@ -207,15 +208,17 @@ static void test_area(void)
     check(painter_build(&m, how, &p, &f), "built");
     double *area = allocate(m.triangles, sizeof *area), worst = 0, off = 0;
     for (size_t k = 0; k < p.pieces; k++) {
-        const painter_piece *x = &p.piece[k];
-        triangle t = mesh_triangle(&m, x->owner);
-        split_plane s = plane_of_triangle(vsub(t.a, p.middle), vsub(t.b, p.middle),
-                                          vsub(t.c, p.middle));
-        const vec3 *q = p.corner + x->first;
+        const fragment *x = &p.piece[k];
+        triangle t = mesh_triangle(&m, x->item);
+        real unit = p.w.scale;
+        split_plane s = plane_of_triangle(workshop_place(&p.w, t.a), workshop_place(&p.w, t.b),
+                                          workshop_place(&p.w, t.c));
+        const vec3 *q = p.w.corner + x->corner;
         for (uint32_t i = 0; i < x->corners; i++) {
-            off = check_worse(off, fabs((double)side_of(&s, q[i])));
+            off = check_worse(off, fabs((double)(unit * side_of(&s, q[i]))));
             if (i >= 2)
-                area[x->owner] += (double)vlength(vcross(vsub(q[i - 1], q[0]), vsub(q[i], q[0])));
+                area[x->item] += (double)(unit * unit * vlength(vcross(vsub(q[i - 1], q[0]),
+                                                                       vsub(q[i], q[0]))));
         }
     }
     for (size_t i = 0; i < m.triangles; i++) {

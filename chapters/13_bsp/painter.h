@@ -10,7 +10,7 @@
  *   size_t n = painter_order(&p, eye, order)           all pieces, farthest first; order[p.pieces]
  *   painter_free(&p)                                   a zeroed one may be freed
  *
- *   p.piece[k]      corners p.corner[first .. first + corners - 1], of triangle `owner`
+ *   p.piece[k]      a fragment (fragment.h) of triangle `item`, its corners in p.w
  *   how.rule        PAINTER_FIRST: planes in the order of the mesh; RANDOM; FEWEST: of `candidates`
  *   how.candidates  drawn, the one that cuts the fewest [>= 1]
  *   how.most        pieces; more, and painter_build fails (exit code 2)
@@ -35,188 +35,137 @@
 #ifndef PAINTER_H
 #define PAINTER_H
 
-#include "../07_mesh/mesh.h"
 #include "../../common/random.h"
-#include "side.h"
+#include "fragment.h"
 
 typedef enum { PAINTER_FIRST, PAINTER_RANDOM, PAINTER_FEWEST, painter_rules } painter_rule;
 typedef struct { painter_rule rule; int candidates; uint64_t seed; size_t most; } painter_options;
 #define painter_defaults ((painter_options){PAINTER_FEWEST, 16, 1, 10000000})
 
-typedef struct { uint32_t first, corners, owner; } painter_piece;
 typedef struct { split_plane p; uint32_t back, front, piece, pieces; } painter_node;
 typedef struct {
-    vec3 middle;           /* corners and planes are relative to it */
-    vec3 *corner;
-    painter_piece *piece;  /* those in one plane in a row */
+    workshop w;            /* corners and planes are in its coordinates */
+    fragment *piece;       /* those in one plane in a row */
     painter_node *node;    /* back, front: UINT32_MAX for none; the root is node 0 */
-    size_t corners, pieces, nodes, corner_room, piece_room, node_room;
+    size_t pieces, nodes, piece_room, node_room;
 } painter;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* What is still to be put into nodes below one side of a node. */
-typedef struct { painter_piece *piece; size_t n, room; uint32_t parent; bool front; } painter_list;
+/* What is still to be put into nodes below one side of a node: the last n fragments of the
+ * workshop; before them lie those of the next list on the stack. */
+typedef struct { size_t n; uint32_t parent; bool front; } painter_list;
 
 typedef struct {
     painter *p;
-    const mesh *m;
     painter_options how;
-    real e, scale;        /* scale: a power of two above all sides */
     painter_list *stack;
-    size_t lists, room, waiting;
+    size_t lists, room;
     random_stream g;
 } painter_builder;
 
 static inline void painter_free(painter *p)
 {
-    free(p->corner), free(p->piece), free(p->node);
+    free(p->w.corner), free(p->w.f), free(p->piece), free(p->node);
     *p = (painter){0};
 }
 
-static inline void painter_reserve(painter *p, size_t corners)
+/* Of n fragments from f on: the number of the one whose plane is taken. */
+static inline size_t painter_choose(painter_builder *b, const fragment *f, size_t n,
+                                    split_plane *out)
 {
-    p->corner = grown_by(p->corner, p->corners, corners, &p->corner_room, sizeof *p->corner);
-}
-
-static inline void painter_push(painter_list *l, painter_piece x)
-{
-    l->piece = grown(l->piece, l->n, &l->room, sizeof *l->piece);
-    l->piece[l->n++] = x;
-}
-
-/* Scaled, so that products neither overflow nor vanish. */
-static inline split_plane painter_plane(const painter_builder *b, uint32_t owner)
-{
-    triangle t = mesh_triangle(b->m, owner);
-    vec3 o = b->p->middle;
-    real k = 1 / b->scale;
-    split_plane p = plane_of_triangle(vscale(vsub(t.a, o), k), vscale(vsub(t.b, o), k),
-                                      vscale(vsub(t.c, o), k));
-    p.at *= b->scale;
-    return p;
-}
-
-static inline plane_side painter_side(const painter_builder *b, const split_plane *p,
-                                      painter_piece x)
-{
-    real lo, hi;
-    side_range(p, b->p->corner + x.first, x.corners, &lo, &hi);
-    return side_of_range(lo, hi, b->e);
-}
-
-static inline split_plane painter_choose(painter_builder *b, const painter_list *l, size_t *which)
-{
-    size_t fewest = SIZE_MAX;
+    const workshop *w = &b->p->w;
+    size_t fewest = SIZE_MAX, which = 0;
     int tries = b->how.rule == PAINTER_FEWEST ? b->how.candidates : 1;
-    split_plane best = {0};
     for (int k = 0; k < tries && fewest > 0; k++) {
-        size_t i = b->how.rule == PAINTER_FIRST ? 0 : (size_t)(random_next_bits(&b->g) % l->n);
-        split_plane p = painter_plane(b, l->piece[i].owner);
+        size_t i = b->how.rule == PAINTER_FIRST ? 0 : (size_t)(random_next_bits(&b->g) % n);
+        split_plane p;
         size_t cuts = 0;
-        for (size_t j = 0; tries > 1 && j < l->n; j++)
-            cuts += painter_side(b, &p, l->piece[j]) == SIDE_BOTH;
-        if (cuts < fewest) fewest = cuts, best = p, *which = i;
+        fragment_plane(w, &f[i], 3, &p);
+        for (size_t j = 0; tries > 1 && j < n; j++)
+            cuts += fragment_side(w, &p, &f[j]) == SIDE_BOTH;
+        if (cuts < fewest) fewest = cuts, *out = p, which = i;
     }
-    return best;
+    return which;
 }
 
-static inline void painter_half(painter_builder *b, const split_plane *p, real sign,
-                                painter_piece x, painter_list *out)
+/* What of the list lies on one side of node `at` becomes a list on top. */
+static inline void painter_part(painter_builder *b, size_t begin, size_t n, size_t which,
+                                uint32_t at, plane_side wanted)
 {
-    painter *t = b->p;
-    painter_reserve(t, 2 * (size_t)x.corners);
-    painter_piece part = {(uint32_t)t->corners, 0, x.owner};
-    part.corners = (uint32_t)clip(p, sign, 0, t->corner + x.first, x.corners,
-                                  t->corner + t->corners);
-    if (part.corners < 3) return;
-    t->corners += part.corners;
-    painter_push(out, part);
-}
-
-/* What of the list lies on one side of node `at`. */
-static inline painter_list painter_part(painter_builder *b, const painter_list *l, size_t which,
-                                        uint32_t at, plane_side wanted)
-{
+    workshop *w = &b->p->w;
     const split_plane p = b->p->node[at].p;
-    painter_list out = {.parent = at, .front = wanted == SIDE_FRONT};
-    for (size_t i = 0; i < l->n; i++) {
-        painter_piece x = l->piece[i];
-        plane_side s = i == which ? SIDE_ON : painter_side(b, &p, x);
-        if (s == wanted) painter_push(&out, x);
-        if (s == SIDE_BOTH) painter_half(b, &p, out.front ? -1 : 1, x, &out);
+    size_t before = w->fragments;
+    for (size_t i = begin; i < begin + n; i++) {
+        fragment f = w->f[i];
+        plane_side s = i == which ? SIDE_ON : fragment_side(w, &p, &f);
+        if (s == wanted) workshop_push(w, f);
+        if (s == SIDE_BOTH) fragment_half(w, &p, wanted == SIDE_FRONT ? -1 : 1, f);
     }
-    return out;
-}
-
-static inline void painter_wait(painter_builder *b, painter_list l)
-{
     b->stack = grown(b->stack, b->lists, &b->room, sizeof *b->stack);
-    b->stack[b->lists++] = l;
-    b->waiting += l.n;
+    b->stack[b->lists++] = (painter_list){w->fragments - before, at, wanted == SIDE_FRONT};
 }
 
-/* A node of the list: what lies in its plane is drawn with it; both sides wait, the smaller one on
- * top, so that no more than log2 n lists wait below it. */
-static inline void painter_make(painter_builder *b, const painter_list *l)
+/* A node of the list on top: what lies in its plane is drawn with it; both sides wait, the smaller
+ * one on top, so that no more than log2 n lists wait below it. */
+static inline void painter_make(painter_builder *b, painter_list l)
 {
     painter *t = b->p;
-    size_t which = 0;
-    split_plane p = painter_choose(b, l, &which);
+    workshop *w = &t->w;
+    split_plane p = {0};
+    size_t begin = w->fragments - l.n, back = 0, front = 0;
+    size_t which = begin + painter_choose(b, w->f + begin, l.n, &p);
     uint32_t at = (uint32_t)t->nodes;
     t->node = grown(t->node, t->nodes++, &t->node_room, sizeof *t->node);
     t->node[at] = (painter_node){p, UINT32_MAX, UINT32_MAX, (uint32_t)t->pieces, 0};
-    if (at) *(l->front ? &t->node[l->parent].front : &t->node[l->parent].back) = at;
-    for (size_t i = 0; i < l->n; i++)
-        if (i == which || painter_side(b, &p, l->piece[i]) == SIDE_ON) {
-            t->piece = grown(t->piece, t->pieces, &t->piece_room, sizeof *t->piece);
-            t->piece[t->pieces++] = l->piece[i];
-        }
+    if (at) *(l.front ? &t->node[l.parent].front : &t->node[l.parent].back) = at;
+    for (size_t i = begin; i < begin + l.n; i++) {
+        plane_side s = i == which ? SIDE_ON : fragment_side(w, &p, &w->f[i]);
+        back += s & 1, front += s >> 1;
+        if (s != SIDE_ON) continue;
+        t->piece = grown(t->piece, t->pieces, &t->piece_room, sizeof *t->piece);
+        t->piece[t->pieces++] = w->f[i];
+    }
     t->node[at].pieces = (uint32_t)t->pieces - t->node[at].piece;
-    painter_list back = painter_part(b, l, which, at, SIDE_BACK);
-    painter_list front = painter_part(b, l, which, at, SIDE_FRONT);
-    painter_wait(b, front.n > back.n ? front : back);
-    painter_wait(b, front.n > back.n ? back : front);
+    painter_part(b, begin, l.n, which, at, front > back ? SIDE_FRONT : SIDE_BACK);
+    painter_part(b, begin, l.n, which, at, front > back ? SIDE_BACK : SIDE_FRONT);
+    w->fragments -= l.n;
+    memmove(w->f + begin, w->f + begin + l.n, (w->fragments - begin) * sizeof *w->f);
 }
 
-/* All triangles that have an area. */
-static inline painter_list painter_begin(painter_builder *b)
+/* All triangles that have an area; cut at the planes themselves. */
+static inline void painter_begin(painter *out, const items *x)
 {
-    painter *out = b->p;
-    painter_list all = {.n = 0};
+    workshop *w = &out->w;
     vec3 lo, hi;
-    if (!mesh_bounds(b->m, &lo, &hi)) return all;
-    out->middle = vmadd(vscale(lo, 0.5), hi, 0.5);
+    split_plane p;
+    fragment f;
+    *w = (workshop){.x = x, .sides = BSP_SIDES_STRICT};
+    if (!mesh_bounds(x->m, &lo, &hi)) return;
     real size = vlargest(vsub(hi, lo));
-    b->e = 64 * real_epsilon * size, b->scale = power_above(size);
-    for (size_t i = 0; i < b->m->triangles; i++) {
-        triangle t = mesh_triangle(b->m, i);
-        if (vzero(painter_plane(b, (uint32_t)i).n)) continue;
-        painter_reserve(out, 3);
-        painter_push(&all, (painter_piece){(uint32_t)out->corners, 3, (uint32_t)i});
-        out->corner[out->corners++] = vsub(t.a, out->middle);
-        out->corner[out->corners++] = vsub(t.b, out->middle);
-        out->corner[out->corners++] = vsub(t.c, out->middle);
-    }
-    return all;
+    w->middle = vmadd(vscale(lo, 0.5), hi, 0.5), w->scale = power_above(size);
+    w->e = 64 * real_epsilon * (size / w->scale);
+    for (size_t i = 0; i < x->n; i++)
+        if (fragment_of(w, (uint32_t)i, &f) && fragment_plane(w, &f, 3, &p)) workshop_push(w, f);
 }
 
 static inline bool painter_build(const mesh *m, painter_options how, painter *out, failure *f)
 {
+    const items x = items_of_mesh(m);
+    painter_builder b = {.p = out, .how = how, .g = random_start(how.seed, 0, 0)};
     *out = (painter){0};
     if (how.candidates < 1)
         return failed(f, 2, "painter: %d candidates; 1 or more are needed", how.candidates);
-    painter_builder b = {.p = out, .m = m, .how = how, .g = random_start(how.seed, 0, 0)};
-    bool full = false;
-    painter_wait(&b, painter_begin(&b));
-    while (b.lists > 0) {
+    painter_begin(out, &x);
+    bool full = out->w.fragments > how.most;
+    if (out->w.fragments && !full) painter_make(&b, (painter_list){out->w.fragments, 0, false});
+    while (b.lists > 0 && !full) {
         painter_list l = b.stack[--b.lists];
-        b.waiting -= l.n;
-        if (l.n && !full) painter_make(&b, &l);
-        full |= b.waiting + out->pieces > how.most;
-        free(l.piece);
+        if (l.n) painter_make(&b, l);
+        full = out->w.fragments + out->pieces > how.most;
     }
     free(b.stack);
+    out->w.x = NULL;
     if (!full) return true;
     painter_free(out);
     return failed(f, 2, "%zu triangles: cut into more than %zu pieces", m->triangles, how.most);
@@ -228,7 +177,7 @@ static inline size_t painter_order(const painter *p, vec3 eye, uint32_t *order)
 {
     uint32_t *stack = allocate(p->nodes + 1, sizeof *stack), at = p->nodes ? 0 : UINT32_MAX;
     size_t top = 0, n = 0;
-    vec3 e = vsub(eye, p->middle);
+    vec3 e = workshop_place(&p->w, eye);
     for (;;) {
         while (at != UINT32_MAX) {  /* down the far side */
             stack[top++] = at;

@@ -12,10 +12,11 @@
 
 static inline void painter_uncut(const mesh *m, painter *out)
 {
+    const items x = items_of_mesh(m);
     *out = (painter){0};
-    painter_builder b = {.p = out, .m = m};
-    painter_list all = painter_begin(&b);
-    out->piece = all.piece, out->pieces = all.n, out->piece_room = all.room;
+    painter_begin(out, &x);
+    out->piece = out->w.f, out->pieces = out->w.fragments;
+    out->w.f = NULL, out->w.x = NULL;
 }
 
 typedef struct { real far; uint32_t piece; } painter_key;
@@ -31,11 +32,11 @@ static inline int painter_key_order(const void *a, const void *b)
 static inline size_t painter_order_naive(const painter *p, vec3 eye, uint32_t *order)
 {
     painter_key *key = allocate(p->pieces, sizeof *key);
-    vec3 e = vsub(eye, p->middle);
+    vec3 e = workshop_place(&p->w, eye);
     for (size_t i = 0; i < p->pieces; i++) {
         vec3 sum = {0, 0, 0};
-        const painter_piece *x = &p->piece[i];
-        for (uint32_t k = 0; k < x->corners; k++) sum = vadd(sum, p->corner[x->first + k]);
+        const fragment *x = &p->piece[i];
+        for (uint32_t k = 0; k < x->corners; k++) sum = vadd(sum, p->w.corner[x->corner + k]);
         key[i] = (painter_key){vlength(vsub(vscale(sum, 1 / (real)x->corners), e)), (uint32_t)i};
     }
     qsort(key, p->pieces, sizeof *key, painter_key_order);

@@ -56,14 +56,15 @@ static inline void painting_draw(figure *g, const painter *p, const uint32_t *or
     painting_piece piece[painting_most];
     if (n > painting_most) n = painting_most;
     for (size_t k = 0; k < n; k++) {
-        const painter_piece *q = &p->piece[order[k]];
+        const fragment *q = &p->piece[order[k]];
         piece[k].n = q->corners < painting_corners ? q->corners : painting_corners;
         for (uint32_t i = 0; i < piece[k].n; i++) {
             real x = 0, y = 0;
-            camera_project(c, vadd(p->corner[q->first + i], p->middle), 400, 400, &x, &y);
+            vec3 at = vmadd(p->w.middle, p->w.corner[q->corner + i], p->w.scale);
+            camera_project(c, at, 400, 400, &x, &y);
             piece[k].at[i][0] = (double)x, piece[k].at[i][1] = (double)-y;
         }
-        figure_polygon(g, (int)piece[k].n, piece[k].at[0], colour[q->owner % 3], 1, FIGURE_BLACK);
+        figure_polygon(g, (int)piece[k].n, piece[k].at[0], colour[q->item % 3], 1, FIGURE_BLACK);
     }
     for (size_t k = 0; k < n; k++) painting_number(g, piece, n, k);
 }
