@@ -195,7 +195,7 @@ static void test_cells(void)
 
     double worst = 0;
     for (size_t i = 0; i < check_count(500); i++) {
-        cell_mark mark = cells_mark(&s);
+        size_t corners = s.corners, faces = s.faces;
         random_stream g = random_start(3, i, 0);
         vec3 inside = random_in_cube(&g, 1);
         convex whole = c;
@@ -214,7 +214,7 @@ static void test_cells(void)
             sum = vadd(sum, polygon_area(s.corner + f->corner, f->corners));
         }
         worst = check_worse(worst, (double)vlength(sum));
-        cells_back_to(&s, mark);
+        s.corners = corners, s.faces = faces;
     }
     check_at_most(worst, 1000 * (double)eps, "areas as measured, as made, and of a closed surface");
     cells_free(&s);

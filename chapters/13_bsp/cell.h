@@ -13,9 +13,9 @@
  *   convex d = cell_cut(&store, c, p, sign)   the part with sign * s <= 0, on top of the store
  *   real a = cell_area(&store, c)
  *   cell_box_of(&store, c, &lo, &hi)        the axis-aligned box around it
- *   mark = cells_mark(&store), cells_back_to(&store, mark)     gives up what was made since
  *
- * The store is a stack: a builder that goes down the tree keeps the cells of one path, no more.
+ * The store is a stack: a builder that goes down the tree keeps the cells of one path, no more. Who
+ * sets `corners` and `faces` back to what they were gives up what was made since.
  * Nothing here must be exact: areas choose planes, they do not decide who is in a cell.
  *
  * Source: T. Ize, I. Wald, S. G. Parker, "Ray Tracing with the BSP Tree", IEEE Symposium on
@@ -36,18 +36,8 @@ typedef struct {
     cell_face *face;
     size_t corners, faces, corner_room, face_room;
 } cell_store;
-typedef struct { size_t corners, faces; } cell_mark;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline cell_mark cells_mark(const cell_store *s)
-{
-    return (cell_mark){s->corners, s->faces};
-}
-static inline void cells_back_to(cell_store *s, cell_mark m)
-{
-    s->corners = m.corners, s->faces = m.faces;
-}
 
 static inline void cells_free(cell_store *s)
 {

@@ -149,16 +149,17 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
     }
     for (int k = 0; k < 2; k++)
         b->tree->node = grown(b->tree->node, b->tree->nodes++, &b->node_room, sizeof(bsp_node));
-    size_t first = b->tree->nodes - 2, corners[2], fragments[2];
-    cell_mark cells[2];
+    cell_store *cells = &b->c.cells;
+    size_t first = b->tree->nodes - 2, corners[2], fragments[2], cell_corners[2], faces[2];
     convex part[2];
     fragment_range_of of[2];
     bool areas = rule_by_cost(b->c.how.rule);
     bsp_set_plane(b, at, &x.p);
     b->tree->cuts += x.cut, b->tree->stats.inner++;
     for (int k = 0; k < 2; k++) {
-        corners[k] = w->corners, fragments[k] = w->fragments, cells[k] = cells_mark(&b->c.cells);
-        part[k] = areas ? cell_cut(&b->c.cells, c, &x.p, k ? -1 : 1) : c;
+        corners[k] = w->corners, fragments[k] = w->fragments;
+        cell_corners[k] = cells->corners, faces[k] = cells->faces;
+        part[k] = areas ? cell_cut(cells, c, &x.p, k ? -1 : 1) : c;
         of[k] = bsp_collect(b, all, &x, k ? SIDE_FRONT : SIDE_BACK);
     }
     double named = (double)(of[0].end - of[0].begin + of[1].end - of[1].begin);
@@ -166,7 +167,7 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
         double share = named > 0 ? room / named * (double)(of[k].end - of[k].begin) : 0;
         if (!b->full) bsp_make_node(b, first + (size_t)k, of[k], part[k], depth + 1, share);
         w->corners = corners[k], w->fragments = fragments[k];
-        cells_back_to(&b->c.cells, cells[k]);
+        cells->corners = cell_corners[k], cells->faces = faces[k];
     }
 }
 
