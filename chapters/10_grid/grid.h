@@ -8,8 +8,7 @@
  *
  *   grid g;
  *   bool grid_build(&x, grid_defaults, &g, &f)   false: too many cells or references for most_bytes
- *   bool grid_hit(&g, r, &h)                     the very hit of items_hit
- *   bool grid_occluded(&g, r)                    and _counted, _stats, _free: as in structure.h
+ *   bool grid_hit(&g, r, &h), ..                 the verbs of structure.h (09)
  *
  *       cells, references          item c is in the lists of two cells:
  *     first  0  0  1  3  3  4      first[i] .. first[i + 1] - 1 are the references of cell i;

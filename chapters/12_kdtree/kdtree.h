@@ -3,11 +3,10 @@
  *     +-----+-------------+       kdtree t;
  *     |     |       o     |       if (!kdtree_build(&x, kdtree_defaults, &t, &f)) fail(f);
  *     |  o  +------+------+
- *     |     |      |  o   |       bool kdtree_hit(&t, r, &h)        the very hit of items_hit
- *     +-----+  o   |      |       bool kdtree_occluded(&t, r)       is there any?
- *     |  o  |      |  o   |       bool kdtree_hit_counted(&t, r, &h, &work), ..._occluded_counted
- *     +-----+------+------+       kdtree_stats(&t)
- *                                 kdtree_free(&t)                   a zeroed one may be freed
+ *     |     |      |  o   |       bool kdtree_hit(&t, r, &h), ..    the verbs of structure.h (09)
+ *     +-----+  o   |      |
+ *     |  o  |      |  o   |
+ *     +-----+------+------+
  *
  * Cells do not overlap, so a ray passes them in order, and its search can end at the first hit. The
  * price: an item that a plane cuts is in both parts.

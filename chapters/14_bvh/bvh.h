@@ -3,11 +3,7 @@
  *
  *   bvh b;
  *   bool bvh_build(&x, bvh_defaults, &b, &f)    false: f says why; x as for all structures: items.h
- *   bool bvh_hit(&b, r, &h)                     the very hit of items_hit
- *   bool bvh_occluded(&b, r)                    is there any?
- *   bvh_hit_counted(&b, r, &h, &w), bvh_occluded_counted(&b, r, &w)
- *   structure_stats s = bvh_stats(&b)
- *   bvh_free(&b)                                a zeroed one may be freed
+ *   bool bvh_hit(&b, r, &h), ..                 the verbs of structure.h (09)
  *
  * Not space is cut but the set: each item is in one leaf. Its boxes may overlap; what is in one
  * leaf may lie in the boxes of others, and a ray may have to look into several boxes at the same

@@ -3,10 +3,7 @@
  *
  *   bvh_mesh b;
  *   bool bvh_mesh_build(&m, bvh_defaults, &b, &f)   the tree copies what it needs of the mesh
- *   bool bvh_mesh_hit(&b, r, &h)                    the very hit (t, u, v, shape) of mesh_hit
- *   bool bvh_mesh_occluded(&b, r)                   is there any? the answer of mesh_occluded
- *   bvh_mesh_hit_counted(&b, r, &h, &w), bvh_mesh_occluded_counted(&b, r, &w)
- *   bvh_mesh_free(&b)                               a zeroed one may be freed
+ *   bool bvh_mesh_hit(&b, r, &h), ..                the verbs of structure.h (09)
  *   bvh_mesh_hit_naive(&b, r, &h)                   without the care of node.h: loses hits
  *
  *   input                                      answer
