@@ -26,28 +26,14 @@ enum { explain_most = 8 };  /* shapes that are named */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* On the interval [a, b]. */
+/* On the interval between a and b. */
 static inline bool window_finds(const contender *c, const void *s, const wrong_answer *w, real a,
                                 real b)
 {
     ray r = w->r;
     hit h = hit_none;
-    r.tmin = a, r.tmax = b;
+    r.tmin = real_min(a, b), r.tmax = real_max(a, b);
     return w->any ? c->occluded(s, r) : c->hit(s, r, &h) && hits_same(h, w->due);
-}
-
-/* Halves between `found`, an end with which the hit is found, and `lost`. The other end stays at
- * the hit. */
-static inline void window_halve(const contender *c, const void *s,
-                                const wrong_answer *w, real *found, real *lost)
-{
-    real t = w->due.t;
-    for (int k = 0; k < 200; k++) {
-        real middle = *found + (*lost - *found) / 2;
-        if (middle == *found || middle == *lost) return;
-        bool ok = middle < t ? window_finds(c, s, w, middle, t) : window_finds(c, s, w, t, middle);
-        *(ok ? found : lost) = middle;
-    }
 }
 
 /* How much longer, both ways, the interval [t, t] must be for the hit to be found: between this and
@@ -60,15 +46,19 @@ static inline real window_wider(const contender *c, const void *s, const wrong_a
     return 0;
 }
 
+/* One end of the interval, halved between where the hit is found and where it is lost; the other
+ * end stays at the hit. */
 static inline void explain_end(const contender *c, const void *s, const wrong_answer *w, real end,
                                const char *which, FILE *out)
 {
-    real found = w->due.t, lost = end;
-    if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(found) - 1 : 4 * fabs(found) + 1;
-    bool whole = end < w->due.t ? window_finds(c, s, w, lost, w->due.t)
-                                : window_finds(c, s, w, w->due.t, lost);
-    if (whole) return;
-    window_halve(c, s, w, &found, &lost);
+    real t = w->due.t, found = t, lost = end;
+    if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(t) - 1 : 4 * fabs(t) + 1;
+    if (window_finds(c, s, w, lost, t)) return;
+    for (int k = 0; k < 200; k++) {
+        real middle = found + (lost - found) / 2;
+        if (middle == found || middle == lost) break;
+        *(window_finds(c, s, w, middle, t) ? &found : &lost) = middle;
+    }
     vec3 p = ray_at(w->r, lost);
     fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
                  "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,

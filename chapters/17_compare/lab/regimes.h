@@ -69,34 +69,18 @@ static inline void kept_times(kept_tree *x)
     x->c = clock_median(x->ray + motion_frames - motion_last, motion_last);
 }
 
-/* From how many rays on the line b + k c of x is the lowest of all; inf: nowhere. */
-static inline double kept_best_from(const kept_tree all[keepings], const kept_tree *x)
-{
-    double from = 0, to_here = HUGE_VAL;
-    for (const kept_tree *y = all; y < all + keepings; y++) {
-        double at = (y->b - x->b) / (x->c - y->c);
-        if (y != x && x->c < y->c) from = fmax(from, at);
-        if (y != x && !(x->c < y->c)) to_here = fmin(to_here, at);
-    }
-    return from < to_here ? from : HUGE_VAL;
-}
-
 /* Work and times of the last frames, and time by rays a frame. */
 static inline void motion_print(const kept_tree x[keepings], const char *title, html_report *to)
 {
-    table t = table_new(title, "boxes|nodes/ray|tests/ray|a frame [ms]|a ray [ns]|"
-                               "time: best from [rays]");
+    table t = table_new(title, "boxes|nodes/ray|tests/ray|a frame [ms]|a ray [ns]");
     plot time = plot_new("A frame and its rays: twist", "rays a frame", "time a frame [ms]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < keepings; k++) {
-        double from = kept_best_from(x, &x[k]);
         int s = plot_series(&time, keeping_name[k]);
         table_text(&t, "%s", keeping_name[k]);
         table_number(&t, per((double)x[k].work.nodes, x[k].rays));
         table_number(&t, per((double)x[k].work.tests, x[k].rays));
         table_number(&t, x[k].b * 1e3), table_number(&t, x[k].c * 1e9);
-        if (isfinite(from)) table_number(&t, ceil(from));
-        else table_text(&t, "never");
         for (int half = 4; half <= 12; half++) {
             double n = pow(10, half / 2.0);
             plot_add(&time, s, n, (x[k].b + n * x[k].c) * 1e3);
