@@ -35,8 +35,7 @@ static sampler second_pair(uint64_t i, uint32_t k)
 static void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *term, bounce_counts *c)
 {
     for (int k = 0; k <= p->depth; k++) term[k] = dark;
-    for (naive_walk w = naive_start(p, eye); naive_next(p, &w, s, &c->walk);)
-        term[w.bounces] = w.brought;
+    naive_terms(p, eye, s, term, &c->walk);
 }
 
 /* From somewhere within .1 of `from`, anywhere: rays that a closed room must stop. */

@@ -5,6 +5,8 @@
  *
  *   naive_path p = {&scene, DIRECTIONS_BRDF, depth, false};
  *   vec3 L = naive_radiance(&p, eye, &s, &counts);   s: sampler (20), a pair a bounce; counts: {0}
+ *   vec3 L = naive_terms(&p, eye, &s, term, &counts);   and a sample of each K^k E: term[k], all 0
+ *                                                       at first; NULL: nobody asks
  *
  *   mean of L = E + K E + K^2 E + ... + K^depth E  of what the eye ray meets, exactly       (25.8)
  *
@@ -28,9 +30,6 @@
  * scene without light. With spend_all all are traced, but for those beyond depth, and the result is
  * the same bit by bit. [needs a finite depth]
  *
- * To see every hit:  for (naive_walk w = naive_start(&p, eye); naive_next(&p, &w, &s, &counts);)
- *                        w.brought is the sample of K^(w.bounces) E
- *
  * Source: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986, section 4.
  */
 #ifndef BOUNCES_NAIVE_PATH_H
@@ -50,14 +49,6 @@ typedef struct {
 
 /* rays[k]: rays that k bounces came before; the last one: so many, or more. */
 typedef struct { size_t rays[naive_depths], escaped, black; } naive_counts;
-
-typedef struct {
-    ray r;                     /* the next one; of unit length but for the first */
-    vec3 throughput;           /* of what it will bring */
-    vec3 brought;              /* of the last hit: throughput times emission */
-    int bounces;               /* before the last hit */
-    bool ended;
-} naive_walk;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -112,37 +103,31 @@ fast_inline bool naive_direction(const naive_path *p, const lit_hit *x, vec3 wo,
     return true;
 }
 
-static inline naive_walk naive_start(const naive_path *p, ray eye)
+static inline vec3 naive_terms(const naive_path *p, ray r, sampler *s, vec3 *term,
+                               naive_counts *c)
 {
-    return (naive_walk){eye, {1, 1, 1}, {0, 0, 0}, -1, naive_dark(p->scene) && !p->spend_all};
-}
-
-fast_inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, naive_counts *c)
-{
-    if (w->ended) return false;
-    lit_hit x = {.m = NULL};
-    vec3 weight;
-    bool met;
-    vec3 Le = naive_find(p, w->r, ++w->bounces, &x, &met, c);
-    w->brought = vmul(w->throughput, Le);
-    w->ended = true;
-    if (!met || w->bounces == p->depth) return true;
-    if (naive_black(x.m)) {
-        c->black++;
-        if (!p->spend_all) return true;
+    vec3 L = {0, 0, 0}, through = {1, 1, 1}, weight;
+    if (naive_dark(p->scene) && !p->spend_all) return L;
+    for (int k = 0;; k++) {
+        lit_hit x = {.m = NULL};
+        bool met;
+        vec3 brought = vmul(through, naive_find(p, r, k, &x, &met, c));
+        L = vadd(L, brought);
+        if (term) term[k] = brought;
+        if (!met || k == p->depth) return L;
+        bool black = naive_black(x.m);
+        c->black += black;
+        if (black && !p->spend_all) return L;
+        vec3 wo = vneg(k ? r.d : vunit(r.d));
+        if (!naive_direction(p, &x, wo, sampler_pair(s), &r, &weight)) return L;
+        through = naive_through(through, weight);
+        if (vzero(through) && !p->spend_all) return L;
     }
-    vec3 wo = vneg(w->bounces ? w->r.d : vunit(w->r.d));
-    if (!naive_direction(p, &x, wo, sampler_pair(s), &w->r, &weight)) return true;
-    w->throughput = naive_through(w->throughput, weight);
-    w->ended = vzero(w->throughput) && !p->spend_all;
-    return true;
 }
 
 static inline vec3 naive_radiance(const naive_path *p, ray eye, sampler *s, naive_counts *c)
 {
-    vec3 L = {0, 0, 0};
-    for (naive_walk w = naive_start(p, eye); naive_next(p, &w, s, c);) L = vadd(L, w.brought);
-    return L;
+    return naive_terms(p, eye, s, NULL, c);
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* terms.h: E, K E, K^2 E, ... each by itself: light by the number of its bounces.
  *
  *   vec3 term[depth + 1];
- *   bounce_terms_lit(&p, eye, &s, term, &counts);   term[k]: a sample of K^k E, as w.brought of
- *                                                   naive_path.h is, with far less noise
+ *   bounce_terms_lit(&p, eye, &s, term, &counts);   term[k]: a sample of K^k E, as by
+ *                                                   naive_terms, with far less noise
  *
  * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the
  * path takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap
