@@ -28,11 +28,6 @@ typedef struct { image im; choice texel; } environment;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real environment_luminance(vec3 c)
-{
-    return (real)0.2126 * c.x + (real)0.7152 * c.y + (real)0.0722 * c.z;
-}
-
 /* (24.14), from half angles: near the poles a difference of cosines would lose its digits. */
 static inline real environment_omega(const environment *e, int row)
 {
@@ -56,7 +51,8 @@ static inline bool environment_of_image(const image *im, environment *out, failu
         int x = (int)(i % (size_t)im->width), y = (int)(i / (size_t)im->width);
         vec3 c = image_get(im, x, y);
         ok = ok && vfinite(c) && c.x >= 0 && c.y >= 0 && c.z >= 0;
-        weight[i] = environment_luminance(c) * environment_omega(out, y);
+        real luminance = (real)0.2126 * c.x + (real)0.7152 * c.y + (real)0.0722 * c.z;
+        weight[i] = luminance * environment_omega(out, y);
     }
     ok = ok && choice_build(weight, n, &out->texel);
     free(weight);
