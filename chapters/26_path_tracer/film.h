@@ -159,19 +159,14 @@ static inline bool film_join(film *to, const film *f, failure *why)
     return true;
 }
 
-static inline size_t film_tile_of(const film *f, size_t i)
-{
-    size_t w = (size_t)f->width;
-    return i / w / film_side * film_across(f) + i % w / film_side;
-}
-
 /* A pixel without samples is black. */
 static inline image film_picture(const film *f)
 {
     image im = image_new(f->width, f->height);
-    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++) {
+    size_t w = (size_t)f->width;
+    for (size_t i = 0; i < w * (size_t)f->height; i++) {
         double n[2];
-        film_count(f, film_tile_of(f, i), n);
+        film_count(f, i / w / film_side * film_across(f) + i % w / film_side, n);
         for (int k = 0; k < 3 && n[0] + n[1] > 0; k++) {
             tally sum = f->half[0][i].of[k];
             tally_join(&sum, &f->half[1][i].of[k]);
