@@ -183,7 +183,7 @@ static void test_pair(void)
             naive_path p = {&s, draws[way], depth, false};
             estimate e[3][depth + 1], whole[3];
             memset(e, 0, sizeof e), memset(whole, 0, sizeof whole);
-            bounce_counts c = {{{0}, 0, 0}, 0};
+            bounce_counts c = {.direct = {0, 0, 0}};
             for (size_t i = 0; i < count_from(2000, 8000); i++) {
                 vec3 o = {0, 0.7, 0}, d = {0, seen ? 1 : -1, 0}, term[depth + 1], L = dark;
                 sampler r = second_pair((uint64_t)seen, (uint32_t)i);
@@ -255,11 +255,11 @@ static void test_radiosity(void)
         ray eye = {{p.x, -0.5, p.z}, 0, {0, -1, 0}, real_infinity};
         double whole = radiosity_at(E, rho, m, L, p, 2);
         double step = fabs(whole - radiosity_at(E, rho, small, coarse, p, 2));
-        double direct = radiosity_at(E, rho, m, fine.E, p, 2);
+        double once = radiosity_at(E, rho, m, fine.E, p, 2);
         check_at_most(step, 1e-2 * whole, "m = 3 and 6 agree");  /* near a corner, too */
-        check_at_least(whole, 1.3 * direct, "and bounces matter");
+        check_at_least(whole, 1.3 * once, "and bounces matter");
         estimate all = {0, 0, 0}, first = {0, 0, 0};
-        bounce_counts c = {{{0}, 0, 0}, 0};
+        bounce_counts c = {.direct = {0, 0, 0}};
         naive_path path = {&s, DIRECTIONS_COSINE, 20, false};
         for (size_t k = 0; k < count_from(4000, 80000); k++) {
             vec3 term[21];
@@ -270,8 +270,8 @@ static void test_radiosity(void)
             for (int j = 2; j <= path.depth; j++) sum += (double)term[j].x;
             all = estimate_add(all, sum);
         }
-        check_at_least(t_test(first, direct, 100 * eps), alarm, "E + KE: %g +- %g, exact %g",
-                       first.mean, estimate_error(first), direct);
+        check_at_least(t_test(first, once, 100 * eps), alarm, "E + KE: %g +- %g, exact %g",
+                       first.mean, estimate_error(first), once);
         check_at_least(t_test(all, whole, step + 1e-5), alarm, "whole: %g +- %g, exact %g -+ %g",
                        all.mean, estimate_error(all), whole, step);
         check_at_most(estimate_error(all), 0.02 * whole, "a test that can tell");
@@ -321,7 +321,7 @@ static void test_terms_add_up(void)
         size_t wrong = 0, cut = 0, branch = 0, n = check_count(3000);
         for (size_t i = 0; i < n; i++) {
             naive_path p = {&s, (direction_choice)way, depth, false}, q = p;
-            bounce_counts c = {{{0}, 0, 0}, 0};
+            bounce_counts c = {.direct = {0, 0, 0}};
             vec3 term[depth + 1], shorter[depth + 1], sum = dark;
             sampler a = second_pair(i, 0), b = a, d = a;
             bounce_terms(&p, cornell_ray(i), &a, term, &c);
@@ -352,7 +352,7 @@ static void test_direct_closed_form(void)
     double exact = (double)(cornell_radiance.y * cornell_reflectance[0].y * E);
     naive_path path = {&s, DIRECTIONS_BRDF, 1, false};
     estimate e = {0, 0, 0};
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {.direct = {0, 0, 0}};
     size_t n = check_count(20000);
     for (size_t i = 0; i < n; i++) {
         vec3 term[2];
@@ -363,7 +363,7 @@ static void test_direct_closed_form(void)
     check_at_least(t_test(e, exact, 1000 * eps * exact), alarm, "KE %g +- %g, exact %g", e.mean,
                    estimate_error(e), exact);
     check_at_most(estimate_error(e), 3e-3 * exact, "a test that can tell");
-    check_equal(c.sight, n, "one ray of sight a sample");
+    check_equal(c.direct.shadow, n, "one ray of sight a sample");
     check_equal(naive_rays(&c.walk), n, "and none that goes on: the last K was the light's");
     lit_free(&s);
 }
@@ -392,7 +392,7 @@ static void test_terms_lit(void)
         if (more) eye = (ray){{350, 100, 60}, 0, {-50, -518, 190}, real_infinity};
         estimate naive[depth + 1][3], lit[depth + 1][3];
         memset(naive, 0, sizeof naive), memset(lit, 0, sizeof lit);
-        bounce_counts c = {{{0}, 0, 0}, 0};
+        bounce_counts c = {.direct = {0, 0, 0}};
         for (size_t i = 0; i < count_from(2000, 20000); i++) {
             vec3 a[depth + 1], b[depth + 1];
             sampler r = second_pair(6, (uint32_t)i), q = second_pair(7, (uint32_t)i);
@@ -557,7 +557,7 @@ static void test_shading_normals(void)
               .normal_index = of};
     lit_scene s;
     vec3 white = {0.9, 0.9, 0.9};
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {.direct = {0, 0, 0}};
     ray eye = {{0, 1, 0}, 0, {-0.1, -1, 0}, real_infinity};
     lit_begin(&s);
     uint16_t wall = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
@@ -578,7 +578,7 @@ static void test_shading_normals(void)
         check_equal(bright, 0, "%s: nothing shines through a wall", choice_name[way]);
     }
     check_at_least((double)c.walk.rays[1], 10, "though directions above it were taken");
-    check_equal(c.sight, 0, "no ray of sight through it");
+    check_equal(c.direct.shadow, 0, "no ray of sight through it");
     lit_free(&s);
 }
 

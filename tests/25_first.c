@@ -48,7 +48,7 @@ static terms_seen by_terms(size_t n)
     static terms_seen t;
     first_scene f = first_cornell();
     lit_scene s;
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {.direct = {0, 0, 0}};
     naive_path p = {&s, DIRECTIONS_BRDF, depth, false};
     vec3 term[depth + 1];
     memset(&t, 0, sizeof t);

@@ -12,36 +12,30 @@
  *
  * Two ways to the same numbers that share nothing but the walk: tests hold one against the other.
  * A mirror's K finds no point of a light: there what the path meets is counted, as in naive_path.h.
- * counts->sight counts rays of sight: none without emitters, to lights behind the surface, or from
- * what is black.
+ * counts->direct.shadow counts rays of sight: none without emitters, to lights behind the surface,
+ * or from what is black.
  */
 #ifndef BOUNCES_TERMS_H
 #define BOUNCES_TERMS_H
 
-#include "../24_direct_light/lights.h"
+#include "../24_direct_light/direct.h"
 #include "naive_path.h"
 
-typedef struct { naive_counts walk; size_t sight; } bounce_counts;
+typedef struct { naive_counts walk; direct_work direct; } bounce_counts;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* K E at x towards wo: one of the lights, each as likely as the others. */
-static inline vec3 bounce_direct(const lit_scene *s, const lit_lights *l, const lit_hit *x, vec3 wo,
-                                 real which, point2 u, bounce_counts *c)
+static inline vec3 bounce_direct(const direct *d, const lit_hit *x, vec3 wo, sampler *s)
 {
     vec3 black = {0, 0, 0};
-    real chance, rest;
-    lit_draw to;
-    if (!lit_lights_some(l) || naive_black(x->m) || brdf_is_delta(&x->m->f)) return black;
-    size_t k = lit_lights_choose(l, which, &chance, &rest);
-    if (!lit_lights_point(l, POINTS_BY_AREA, k, chance, x->s.p, u, &to)) return black;
-    if (!(vdot(x->s.n, to.wi) > 0)) return black;
-    vec3 f = vscale(brdf_value(&x->m->f, x->s.ns, to.wi, wo), vdot(x->s.ns, to.wi));
-    if (vzero(f)) return black;
-    c->sight++;
-    ray r = lit_draw_ray(&x->s, &to);
-    if (lit_occluded_from(s, r, x->s.shape, to.emitter)) return black;
-    return vscale(vmul(f, to.Le), 1 / to.per);
+    real chance, which = sampler_number(s);
+    point2 u = sampler_pair(s);
+    if (!lit_lights_some(d->lights) || brdf_is_delta(&x->m->f)) return black;
+    shading_frame f = shading_frame_of(x->s.ns);
+    direct_point at = {x, f, to_local(f, wo)};
+    size_t k = lit_lights_choose(d->lights, which, &chance, &which);
+    return direct_from(d, &at, k, chance, u);
 }
 
 /* A hit of bounce k gives term[k + 1] by its light; what it shines itself is term[k] only if that
@@ -53,6 +47,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
     bool count_it = true, met;
     lit_hit x;
     lit_lights lamps;
+    direct d = {p->scene, DIRECT_AREA, &lamps, &c->direct, false};
     lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
     for (int k = 0; k <= p->depth; k++) term[k] = (vec3){0, 0, 0};
     if (naive_dark(p->scene)) return;
@@ -61,9 +56,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
         if (count_it || !met) term[k] = vadd(term[k], vmul(through, Le));
         if (!met || k == p->depth) return;
         if (naive_black(x.m)) { c->walk.black++; return; }
-        real which = sampler_number(s);
-        vec3 direct = bounce_direct(p->scene, &lamps, &x, wo, which, sampler_pair(s), c);
-        term[k + 1] = vadd(term[k + 1], vmul(through, direct));
+        term[k + 1] = vadd(term[k + 1], vmul(through, bounce_direct(&d, &x, wo, s)));
         if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
         if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;
         through = naive_through(through, weight);

@@ -74,7 +74,7 @@ static inline void cornell_job(size_t job, void *context)
 {
     cornell_survey *t = context;
     naive_path p = {&t->s, DIRECTIONS_BRDF, cornell_terms - 1, false};
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {.direct = {0, 0, 0}};
     vec3 term[cornell_terms];
     for (uint32_t i = 0; i < t->n; i++) {
         sampler s = sampler_start(SEQUENCE_RANDOM, t->seed, job, 2 * i + 1, 1);

@@ -49,7 +49,7 @@ static inline ray trial_ray(size_t pixel, point2 u)
 static inline void trial_reference(size_t pixel, void *context)
 {
     branch_survey *b = context;
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {.direct = {0, 0, 0}};
     naive_path p = {&b->scene, DIRECTIONS_BRDF, trial_depth[trial_depths - 1], false};
     vec3 term[8];
     for (uint32_t i = 0; i < b->many; i++) {
