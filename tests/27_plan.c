@@ -210,7 +210,7 @@ static void test_effects(void)
             check(explain_why(&p, k).text[0], "each effect has its reason");
         unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
         for (uint32_t m = 0; m < s.materials; m++)
-            if (s.material[m].used) sum |= plan_effects(&p, m);
+            if (s.material[m].used) sum |= plan_calls(&p.facts.look[m]) & p.effects;
         check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
         plan_free(&p), studio_free(&s);
     }

@@ -6,7 +6,6 @@
  *   p.rule[k], p.line[k]            that gave it, and which line of the scene says so; NULL: none
  *                                   did, it is called for
  *   p.facts                         what the scene says that bears on it
- *   plan_effects(&p, m)             the effects that a hit of material m takes part in
  *   plan_free(&p)
  *
  * plan_rules below is all of it: the first rule that holds gives the verdict; if none does, the
@@ -202,10 +201,5 @@ static inline plan plan_of_rules(const studio *s, const plan_rule rules[plan_rul
 }
 
 static inline plan plan_of(const studio *s) { return plan_of_rules(s, plan_rules); }
-
-static inline unsigned plan_effects(const plan *p, uint32_t m)
-{
-    return plan_calls(&p->facts.look[m]) & p->effects;
-}
 
 #endif

@@ -145,7 +145,7 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
     const studio_material *x = &s->material[m];
     char at[320] = "", illum[40] = "NFF", does[700] = "";
     size_t n = 0, room = sizeof does;
-    unsigned mask = plan_effects(p, m);
+    unsigned mask = plan_calls(&p->facts.look[m]) & p->effects;
     if (x->at.file) snprintf(at, sizeof at, "  (%s)", studio_said(s, x->at).text);
     if (!x->classic) snprintf(illum, sizeof illum, x->illum < 0 ? "illum not said, as %d"
                               : "illum %d", appearance_illum(x));
