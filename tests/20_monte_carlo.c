@@ -112,7 +112,7 @@ static void test_hash(void)
             integrand_errors(SEQUENCE_SOBOL, 5, (uint64_t)run, (uint32_t)1 << m, error);
             e = estimate_add(e, error[SMOOTH] * error[SMOOTH]);
         }
-        check_at_least(t_test(e, exact, 1e-7 * exact), alarm, "owen_scramble, 2^%d", m);
+        check_at_least(t_test(e, exact, 1e-7 * exact), alarm, "owen_reversed, 2^%d", m);
     }
 }
 

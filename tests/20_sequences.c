@@ -12,8 +12,15 @@ static const real last = 1 - real_epsilon / 2;
 
 /* ---- Sobol's points ---- */
 
+static uint32_t sobol_x(uint32_t i) { return reversed_bits(i); }
+static uint32_t sobol_y(uint32_t i) { return reversed_bits(sobol_index_of_y(i)); }
+
 typedef uint32_t scramble(uint32_t x, uint32_t seed);
 static uint32_t as_it_is(uint32_t x, uint32_t seed) { return (void)seed, x; }
+static uint32_t owen_scramble(uint32_t x, uint32_t seed)
+{
+    return reversed_bits(owen_reversed(reversed_bits(x), seed));
+}
 
 /* Boxes of 2^-a x 2^-b, a + b = m, in all m + 1 shapes, that do not hold exactly one of the points.
  * */

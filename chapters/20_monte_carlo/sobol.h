@@ -5,9 +5,10 @@
  *       |  .  |     | .      every later block of 2^m. That is a (0,m,2)-net (网): rows, columns
  *                            and all between them are stratified at once.
  *
- *   uint32_t x = sobol_x(i), y = sobol_y(i);      point i, as fractions of 2^32
- *   x = owen_scramble(x, seed_x)                  random, and still a net
- *   real u = real_of_fraction(x, seed_x);         [0,1), in double with random digits below 2^-32
+ *   uint32_t x = i, y = sobol_index_of_y(i);      point i, as fractions of 2^32, bits reversed
+ *   x = owen_reversed(x, seed_x)                  scrambled: random, and still a net
+ *   real u = real_of_fraction(reversed_bits(x), seed_x);      [0,1), in double with random digits
+ *                                                 below 2^-32
  *
  * Coordinates: x reverses the bits of i (van der Corput). y reads i as a polynomial over {0,1}, bit
  * k being that of X^k, and puts X + 1 for X; then as x.
@@ -18,14 +19,14 @@
  * and errors in boxes of the same size are independent and average out: N^-3/2 for smooth
  * functions; one coin a level for all points (a digital shift, xor) makes N^-1.
  *
- * owen_scramble does so by a hash of a few operations. Seeds must be well mixed (random_mix): it
+ * owen_reversed does so by a hash of a few operations. Seeds must be well mixed (random_mix): it
  * does little to a seed of few bits.
  *
  * Sources: I. Sobol', "On the distribution of points in a cube ...", 1967; A. Owen, "Randomly
  * permuted (t,m,s)-nets", 1995, and "Scrambled net variance for integrals of smooth functions",
  * Ann. Stat. 25(4), 1997; S. Laine, T. Karras, "Stratified sampling for stochastic transparency",
  * EGSR 2011; B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020;
- * N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
+ * N. Vegdahl, "Building a better LK hash", 2021 (owen_reversed).
  */
 #ifndef MONTE_CARLO_SOBOL_H
 #define MONTE_CARLO_SOBOL_H
@@ -43,8 +44,6 @@ static inline uint32_t reversed_bits(uint32_t x)
     return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
 }
 
-static inline uint32_t sobol_x(uint32_t i) { return reversed_bits(i); }
-
 /* f(X) = A(X) + X^16 B(X) gives f(X+1) = (A+B)(X+1) + X^16 B(X+1), since X^16 becomes (X+1)^16 =
  * X^16 + 1 where 1 + 1 = 0. So: add the upper half to the lower, then the same in each half. */
 static inline uint32_t sobol_index_of_y(uint32_t i)
@@ -56,8 +55,6 @@ static inline uint32_t sobol_index_of_y(uint32_t i)
     return i ^ (i >> 1 & 0x55555555);
 }
 
-static inline uint32_t sobol_y(uint32_t i) { return reversed_bits(sobol_index_of_y(i)); }
-
 /* On the reversed word additions and products carry upwards only, so a bit depends on itself and on
  * those below it: on those above it, once reversed back. x ^= x * even never changes the lowest bit
  * by itself: x * even has a 0 there. */
@@ -68,11 +65,6 @@ static inline uint32_t owen_reversed(uint32_t x, uint32_t seed)
     x *= seed >> 16 | 1;
     x ^= x * 0x05526c56u;
     return x ^ x * 0x53a22864u;
-}
-
-static inline uint32_t owen_scramble(uint32_t x, uint32_t seed)
-{
-    return reversed_bits(owen_reversed(reversed_bits(x), seed));
 }
 
 /* Each fraction stands for an interval of length 2^-32: a random point of it, of the 2^53 that
