@@ -555,7 +555,7 @@ static path_counts count(const char *name, path_options how, image *out)
     path_tracer_of(&c.s, showcase_sky(&c), how, &t);
     render_job j = {.tracer = &t, .eye = c.eye, .seed = 2, .threads = 1};
     film m = film_new(20, 20);
-    render_range(&j, &m, 0, 8);
+    passes_range(render_passes(&j), &m, 0, 8);
     check_equal(j.refused, 0, "samples that are not numbers, %s", name);
     image im = film_picture(&m);
     for (int i = 0; i < 3 * 400; i++) check(isfinite(im.rgb[i]) && im.rgb[i] >= 0, "a radiance");

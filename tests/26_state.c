@@ -149,18 +149,18 @@ static void test_parts(void)
     failure f;
     place_of(&one, "spheres", 1), place_of(&three, "spheres", 3);
     film whole = film_new(21, 19), joined = film_new(21, 19), grown = film_new(21, 19), part;
-    render_range(&one.j, &whole, 0, 33);
+    passes_range(render_passes(&one.j), &whole, 0, 33);
     for (int i = 0; i < 5; i++) {
         int k = order[i];
         part = film_new(21, 19);
-        render_range(&three.j, &part, cut[k], cut[k + 1]);
+        passes_range(render_passes(&three.j), &part, cut[k], cut[k + 1]);
         check(film_join(&joined, &part, &f), "part %d joins", k);
         if (i == 2) check(!film_join(&joined, &part, &f) && strstr(f.text, "twice"), "not twice");
         film_free(&part);
     }
     check(same(&whole, &joined), "five parts in any order, three threads: the same bits");
-    render_until(&three.j, &grown, (passes_goal){.samples = 5});
-    render_until(&three.j, &grown, (passes_goal){.samples = 33});
+    passes_until(render_passes(&three.j), &grown, (passes_goal){.samples = 5});
+    passes_until(render_passes(&three.j), &grown, (passes_goal){.samples = 33});
     check(same(&whole, &grown), "in passes, stopped and gone on: the same bits");
     part = film_new(20, 19);
     check(!film_join(&joined, &part, &f) && strstr(f.text, "20x19"), "another size does not fit");
@@ -197,7 +197,7 @@ static void test_state(void)
     film m = film_new(9, 7), back;
     char settings[state_settings] = "scene x\nseed 4\n", empty[state_settings] = "";
     place_of(&p, "cornell", 1);
-    render_range(&p.j, &m, 3, 6), render_range(&p.j, &m, 10, 12);
+    passes_range(render_passes(&p.j), &m, 3, 6), passes_range(render_passes(&p.j), &m, 10, 12);
     const char *path = in_directory("s.state");
     check(state_write(path, &m, settings, &f), "written");
     check(state_read(path, &back, empty, &f) && same(&m, &back), "and read: the same");
@@ -344,14 +344,14 @@ static void test_error(void)
     film all = film_new(side, side);
     uint32_t most = 300 + (uint32_t)check_count(1200);
     p.j.seed = 99;
-    render_range(&p.j, &all, 0, most);
+    passes_range(render_passes(&p.j), &all, 0, most);
     image reference = film_picture(&all);
     double rest = film_error(&all), true2 = 0, said2 = 0;
     int runs = 12;
     for (int k = 0; k < runs; k++) {
         film m = film_new(side, side);
         p.j.seed = (uint64_t)k;
-        render_range(&p.j, &m, 0, 24);
+        passes_range(render_passes(&p.j), &m, 0, 24);
         double e = distance(&m, &reference), said = film_error(&m);
         true2 += e * e / runs, said2 += said * said / runs;
         film_free(&m);
@@ -363,7 +363,7 @@ static void test_error(void)
         film m = film_new(side, side);
         double wanted = k == 0 ? 0.02 : k == 1 ? 0.01 : 0.007;
         p.j.seed = 50 + (uint64_t)k;
-        render_until(&p.j, &m, (passes_goal){.error = wanted});
+        passes_until(render_passes(&p.j), &m, (passes_goal){.error = wanted});
         double e = distance(&m, &reference);
         check_at_most(film_error(&m), wanted, "stopped where the estimate is");
         /* One picture: 3 x 400 numbers: 8 % of the square with tails; times 5: 1.2. */

@@ -2,8 +2,7 @@
  *
  *   render_job j = {.tracer = &t, .eye = camera, .seed = 1, .threads = 0};
  *   film f = film_new(w, h);
- *   bool whole = render_range(&j, &f, a, b);        samples a .. b-1 of every pixel; false: Ctrl-C
- *   bool whole = render_until(&j, &f, goal);        passes, from where the film ends
+ *   bool whole = passes_range(render_passes(&j), &f, a, b);     and passes_until
  *
  * The sample k of pixel i uses the random numbers of (seed, i, k) alone (film.h: halves).
  */
@@ -65,16 +64,6 @@ static inline film_passes *render_passes(render_job *j)
 {
     j->pass.tile = render_tile, j->pass.job = j, j->pass.threads = j->threads;
     return &j->pass;
-}
-
-static inline bool render_range(render_job *j, film *f, uint32_t begin, uint32_t end)
-{
-    return passes_range(render_passes(j), f, begin, end);
-}
-
-static inline bool render_until(render_job *j, film *f, passes_goal goal)
-{
-    return passes_until(render_passes(j), f, goal);
 }
 
 #endif

@@ -165,8 +165,9 @@ static inline void command_run(command *c, const options *o)
     shot_begin(&s, o, how, f);
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
                      : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 16;
-    bool whole = c->range ? render_range(&s.j, &s.film, range.begin, range.end)
-                          : render_until(&s.j, &s.film, long_run_goal(l, samples));
+    film_passes *pass = render_passes(&s.j);
+    bool whole = c->range ? passes_range(pass, &s.film, range.begin, range.end)
+                          : passes_until(pass, &s.film, long_run_goal(l, samples));
     if (whole) command_report(o, &s.film, &s.j, c->obj ? c->obj : command_of(c));
     long_run_end(l, o, &s.film, command_name, whole);
     shot_free(&s);

@@ -42,7 +42,7 @@ static inline image measure_picture(const options *o, path_options how, int side
     options with = *o;
     with.seed = 77;
     shot_of(&s, &with, "cornell", how, side, side);
-    if (!render_range(&s.j, &s.film, 0, samples)) die(parallel_stopped(), "stopped");
+    if (!passes_range(render_passes(&s.j), &s.film, 0, samples)) die(parallel_stopped(), "stopped");
     image im = film_picture(&s.film);
     shot_free(&s);
     return im;

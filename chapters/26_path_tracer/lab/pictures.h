@@ -24,7 +24,7 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
     shot s;
     int q = o->quick && !is_main ? 6 : 1;
     shot_of(&s, o, scene_name, path_defaults, w / q, h / q);
-    bool whole = render_range(&s.j, &s.film, 0, o->quick ? 4 : samples);
+    bool whole = passes_range(render_passes(&s.j), &s.film, 0, o->quick ? 4 : samples);
     image im = shot_picture(&s, exposure);
     output_picture(o, &im, file, is_main, whole);
     image_free(&im), shot_free(&s);
@@ -56,7 +56,7 @@ static inline void draw_ladder(const options *o)
     for (int k = 0; k < n; k++) title[k] = said[k], *said[k] = 0;
     for (int k = 0; k < n && whole; k++) {
         uint32_t samples = 1u << 2 * k;
-        whole = render_range(&s.j, &s.film, k ? samples / 4 : 0, samples);
+        whole = passes_range(render_passes(&s.j), &s.film, k ? samples / 4 : 0, samples);
         double error = film_error(&s.film);
         draw_panel(&all, k, larger, shot_picture(&s, 2));
         table_count(&rows, samples);
@@ -94,7 +94,7 @@ static inline void draw_strategies(const options *o)
         how.light_sampling = k >= 2, how.mis = k >= 3;
         shot_of(&s, o, "metal", how, side, side);
         for (; whole && (double)path_rays(&s.j.counts) < budget; n++)
-            whole = render_range(&s.j, &s.film, n, n + 1);
+            whole = passes_range(render_passes(&s.j), &s.film, n, n + 1);
         snprintf(said, sizeof said, "%u samples, error %.2f", (unsigned)n, film_error(&s.film));
         image im = shot_picture(&s, 2);
         label_tag(&im, 0, side - 2 * size, size, said);
@@ -118,7 +118,7 @@ static inline void draw_light(const options *o)
     table t = table_new("Light against eye: the box of spheres by as many paths of each",
                         "paths|number|rays a path|time [s]");
     size_t paths = (size_t)side * (size_t)side * samples / light_jobs * light_jobs;
-    bool whole = render_range(&s.j, &s.film, 0, samples);
+    bool whole = passes_range(render_passes(&s.j), &s.film, 0, samples);
     double start = clock_seconds();
     light_tracer_of(&s.c.s, s.c.eye, side, side, &l);
     if (whole) whole = light_picture(&l, o->seed, paths, o->threads, &im, &work);

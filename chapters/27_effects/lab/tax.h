@@ -92,7 +92,7 @@ static inline double tax_own(void *context)
     path_tracer_of(&k->lit, NULL, path_defaults, &t);
     render_job j = {.tracer = &t, .eye = k->here.e->eye, .seed = 1, .threads = 1};
     film f = film_new(k->im.width, k->im.height);
-    k->stopped |= !render_range(&j, &f, 0, (uint32_t)k->here.samples);
+    k->stopped |= !passes_range(render_passes(&j), &f, 0, (uint32_t)k->here.samples);
     k->rays = path_rays(&j.counts);
     film_free(&f), path_tracer_free(&t);
     return (double)k->rays;
