@@ -12,6 +12,7 @@ int main(int argc, char **argv)
     bool right = !sphere_mine || sphere_prove(mine_sphere_hit, "mine", 30000, stdout);
     sphere_draw(&o);
     sphere_draw_geometry(&o);
-    sphere_measure(&o);
+    sphere_main_table(&o);
+    if (o.full) sphere_plot_edge(&o), sphere_doubt_table(&o);
     return output_done(&o) || !right;
 }

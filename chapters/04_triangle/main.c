@@ -14,6 +14,7 @@ int main(int argc, char **argv)
     dome_draw(&o);
     triangle_draw_areas(&o);
     triangle_draw_edges(&o);
-    triangle_measure(&o);
+    triangle_main_table(&o);
+    if (o.full) triangle_plot_slips(&o), triangle_effort_table(&o);
     return output_done(&o) || !right;
 }

@@ -5,8 +5,8 @@
  *     .---------+------+               way; which is less, rounding decides, ray by ray: a skin
  *     |         | box  |               with speckles. So the triangle takes the box's way.
  *
- *   csg_solid *own = coplanar_solids(s, n)      copies of n solids; meshes know their planes
- *   coplanar_free(own, n)                       triangles are the caller's, and stay
+ *   csg_solid *own = coplanar_solids(s, n)      copies of n solids; meshes know their planes, which
+ *                                               go with csg_free; triangles stay the caller's
  *
  * A triangle lies in a plane n . p = h of a box or half space if its three corners do:
  *
@@ -74,13 +74,6 @@ static inline csg_solid *coplanar_solids(const csg_solid *s, size_t solids)
         own[i].mesh.plane = of;
     }
     return own;
-}
-
-static inline void coplanar_free(csg_solid *own, size_t solids)
-{
-    for (size_t i = 0; own && i < solids; i++)
-        if (own[i].kind == CSG_MESH) free((void *)(uintptr_t)own[i].mesh.plane);
-    free(own);
 }
 
 #endif

@@ -10,7 +10,8 @@
  *
  *   n = csg_solid_crossings(&s, r, first, out)      of the whole line, as in spans.h; surface k of
  *                                                   this solid has the number first + k
- *   csg_solid_room(&s)       the most crossings that there can be       csg_solid_surfaces(&s)
+ *   csg_solid_surfaces(&s)   how many it has; a mesh of n triangles crosses a line in n + 2 places
+ *                            at most, all others in 2
  *   csg_solid_normal(&s, k, p)                      unit, outwards, of surface k near p
  *
  * A face is a plane n . p = h. All faces find their t by one expression:
@@ -83,11 +84,6 @@ static inline csg_solid csg_cylinder(vec3 p, vec3 a, real r)
 static inline csg_solid csg_mesh(const triangle *tri, size_t n)
 {
     return (csg_solid){.kind = CSG_MESH, .mesh = {tri, n, NULL}};
-}
-
-static inline size_t csg_solid_room(const csg_solid *s)
-{
-    return s->kind == CSG_MESH ? s->mesh.n + 2 : 2;
 }
 
 static inline size_t csg_solid_surfaces(const csg_solid *s)

@@ -48,8 +48,9 @@ typedef struct {
 
 static inline void csg_free(csg *c)
 {
-    coplanar_free(c->solid, c->solids);
-    free(c->first), free(c->node);
+    for (size_t i = 0; c->solid && i < c->solids; i++)
+        if (c->solid[i].kind == CSG_MESH) free((void *)(uintptr_t)c->solid[i].mesh.plane);
+    free(c->solid), free(c->first), free(c->node);
     *c = (csg){0};
 }
 
@@ -97,7 +98,7 @@ static inline void csg_place(csg_model m, const uint32_t *size, csg *c)
         if (x->what == CSG_SOLID) {
             x->bound = csg_bound_of(&m.solid[x->solid]);
             x->empty = !csg_solid_is_some(&m.solid[x->solid]);
-            c->room += csg_solid_room(&m.solid[x->solid]);
+            c->room += m.solid[x->solid].kind == CSG_MESH ? m.solid[x->solid].mesh.n + 2 : 2;
         } else x->bound = csg_bound_joined(x->what, x[1].bound, c->node[x[1].end].bound);
     }
     free(at), free(level);

@@ -1,6 +1,8 @@
 /* sphere_measure.h: the tables and plots of this chapter.
  *
- *   sphere_measure(&o)   the main table; with --full the other one, and the plot
+ *   sphere_main_table(&o)    who is wrong, and the time
+ *   sphere_plot_edge(&o)     the same at all distances
+ *   sphere_doubt_table(&o)   rays that are looked at twice
  */
 #ifndef SPHERE_MEASURE_H
 #define SPHERE_MEASURE_H
@@ -120,12 +122,6 @@ static inline void sphere_doubt_table(const options *o)
         table_number(&t, ns[sphere_default]);
     }
     output_extra_table(o, &t);
-}
-
-static inline void sphere_measure(const options *o)
-{
-    sphere_main_table(o);
-    if (o->full) sphere_plot_edge(o), sphere_doubt_table(o);
 }
 
 #endif

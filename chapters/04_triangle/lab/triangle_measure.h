@@ -1,6 +1,6 @@
 /* triangle_measure.h: the tables of this chapter, and the plot of slips.
  *
- *   triangle_measure(&o)   the main table; with --full the plot, and what is computed
+ *   triangle_main_table(&o)   triangle_plot_slips(&o)   triangle_effort_table(&o): what is computed
  *
  * What a test costs is measured with triangles anywhere and rays anywhere: the closest hit of each
  * ray among all of them, most of which it misses; that is what a test is for. Whether a ray passes
@@ -165,12 +165,6 @@ static inline void triangle_effort_table(const options *o)
     table_count(&t, triangle_doubts - before);
     free(u);
     output_extra_table(o, &t);
-}
-
-static inline void triangle_measure(const options *o)
-{
-    triangle_main_table(o);
-    if (o->full) triangle_plot_slips(o), triangle_effort_table(o);
 }
 
 #endif

@@ -1,7 +1,8 @@
 /* csg_measure.h: the tables and plots of this chapter.
  *
- *   csg_measure(&o)     what each way gets wrong, and its time; how many solids a ray asks; with
- *                       --full a plot of the tolerance from 1e-12 to 1
+ *   csg_main_table(&o)       what each way gets wrong, and its time
+ *   csg_savings_table(&o)    how many solids a ray asks
+ *   csg_tolerance_plot(&o)   tolerances from 1e-12 to 1
  */
 #ifndef CSG_MEASURE_H
 #define CSG_MEASURE_H
@@ -158,13 +159,6 @@ static inline void csg_tolerance_plot(const options *o)
         csg_scene_free(&s.scene);
     }
     output_plot(o, &p, "06_csg_tolerance.svg");
-}
-
-static inline void csg_measure(const options *o)
-{
-    csg_main_table(o);
-    csg_savings_table(o);
-    if (o->full) csg_tolerance_plot(o);
 }
 
 #endif
