@@ -426,6 +426,7 @@ static void test_strange_functions(void)
     const ray along = {{-3, 0, 0}, 0, {1, 0, 0}, 7}, away = ray_from(vec(0, 0, 3), vec(0, 0, 1));
     const ray r = {{0, 0, 3}, 0, {0, 0, -1}, real_infinity};
     const ray line = {r.o, -real_infinity, r.d, real_infinity};
+    const ray slow = ray_from(r.o, vec(0, 0, -1e-12));
     implicit_surface ball = implicit_subject_of(IMPLICIT_SPHERE).s, free = ball, only = ball;
     implicit_surface traced = ball, pole = {step_f, NULL, step_range, 0, near, NULL};
     implicit_surface dark = {nan_f, NULL, all_range, 0, near, NULL};
@@ -442,6 +443,7 @@ static void test_strange_functions(void)
          "defined in part: sqrt x = 1"},
         {free, r, 2, 4 * eps, "no ball, no end of the interval: the same root"},
         {free, line, 2, 4 * eps, "nor a beginning"},
+        {free, slow, 2e12, 8e12 * eps, "nor a d of any length: in float t0 and t1 are infinite"},
         {free, away, -1, 0, "away from it, without end: a miss"},
         {only, r, 2, 40 * eps, "no range, no bound: Newton"},
         {traced, r, 2, 2e-4, "with a bound: sphere tracing, within its eps"}};

@@ -17,8 +17,7 @@
  *
  *   input                      answer
  *   d = 0, a NaN in the ray    nothing is left: a miss
- *   tmax infinite, no ball     what lies beyond 1e30 in any coordinate does not count: f may
- *                              overflow there
+ *   no ball                    what lies beyond 1e30 does not count: f may overflow there
  *
  * Sources: J. Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
  * surfaces", The Visual Computer 12, 1996 (the bound); central differences: any text on numerics.
@@ -73,26 +72,15 @@ static inline jet implicit_range(const implicit_surface *s, ray r, interval T)
                     jet_on_ray(r.o.z, r.d.z, T));
 }
 
-/* Without a ball: as far as no coordinate is beyond 1e30, if the interval has no end before. */
-static inline bool implicit_clip_far(ray *r)
-{
-    const real far = (real)1e30;
-    real step = vlargest(r->d), size = vlargest(r->o);
-    if (!vfinite(r->o) || !vfinite(r->d) || !(step > 0) || !(size < far)) return false;
-    real most = real_min((far - size) / step, real_largest);
-    if (!(r->tmax <= real_largest)) r->tmax = r->tmax > 0 ? most : r->tmax;
-    if (!(r->tmin >= -real_largest)) r->tmin = r->tmin < 0 ? -most : r->tmin;
-    return r->tmin <= r->tmax && r->tmax <= real_largest && r->tmin >= -real_largest;
-}
-
 static inline bool implicit_clip(const implicit_surface *s, ray *r)
 {
+    const sphere all = {{0, 0, 0}, (real)1e30};
     real t0, t1;
-    if (s->ball.r == real_infinity) return implicit_clip_far(r);
-    if (!sphere_roots(s->ball, *r, &t0, &t1)) return false;
+    if (!sphere_roots(s->ball.r == real_infinity ? all : s->ball, *r, &t0, &t1)) return false;
+    t0 = real_max(t0, -real_largest), t1 = real_min(t1, real_largest);  /* d may be tiny */
     if (t0 > r->tmin) r->tmin = t0;
     if (t1 < r->tmax) r->tmax = t1;
-    return r->tmin <= r->tmax && r->tmax <= real_largest && r->tmin >= -real_largest;
+    return r->tmin <= r->tmax;
 }
 
 #endif
