@@ -102,13 +102,11 @@ static inline raster_job raster_begin(raster *s, camera c, raster_how how)
  * digits. */
 static inline bool raster_project(const raster_job *j, raster_corner k, raster_point *out)
 {
-    vec3 q = vsub(k.p, j->c.e);
-    const camera *c = &j->c;
-    real iz = 1 / -vdot(q, c->w), s = c->d * iz, one = (real)j->one;
-    real x = (s * vdot(q, c->u) - c->left) / (c->right - c->left) * (real)j->s->nx * one;
-    real y = (s * vdot(q, c->v) - c->top) / (c->bottom - c->top) * (real)j->s->ny * one;
-    if (!(fabs(x) <= raster_reach && fabs(y) <= raster_reach && iz > 0)) return false;
-    *out = (raster_point){llrint((double)x), llrint((double)y), iz, k.u, k.v};
+    real x, y, z = -vdot(vsub(k.p, j->c.e), j->c.w), one = (real)j->one;
+    if (!camera_project(j->c, k.p, j->s->nx, j->s->ny, &x, &y)) return false;
+    x *= one, y *= one;
+    if (!(fabs(x) <= raster_reach && fabs(y) <= raster_reach)) return false;
+    *out = (raster_point){llrint((double)x), llrint((double)y), 1 / z, k.u, k.v};
     return true;
 }
 
