@@ -104,7 +104,7 @@ static inline vec3 mesh_normal(const mesh *m, size_t i, real u, real v)
     vec3 a = vunit(mesh_corner_normal(m, i, 0)), b = vunit(mesh_corner_normal(m, i, 1)),
          c = vunit(mesh_corner_normal(m, i, 2)), n = {0, 0, 0};
     if (!vzero(a) && !vzero(b) && !vzero(c))
-        n = vunit(barycentric_mix(a, b, c, u, v));
+        n = vunit(vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v));
     return vzero(n) ? triangle_normal(mesh_triangle(m, i)) : n;
 }
 
