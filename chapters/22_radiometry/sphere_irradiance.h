@@ -29,7 +29,7 @@
 #include "solid_angle.h"
 
 /* A sphere in the frame of the surface. power = d^2 - radius^2 [>= 0]. */
-typedef struct { real radius, across, height, power; } sphere_view;
+typedef struct { real radius, across, power; } sphere_view;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -65,14 +65,6 @@ static inline real sphere_sunk(sphere_view v, real depth)
 
 /* Above minus below is (22.10) whatever the height: a centre above the horizon needs only what is
  * below, and adds it. */
-static inline real sphere_view_irradiance(sphere_view v)
-{
-    if (v.power < 0) return pi;
-    if (v.height <= 0) return sphere_sunk(v, -v.height);
-    real d = hypot(v.across, v.height), sine = v.radius / d;
-    return pi * sine * sine * (v.height / d) + sphere_sunk(v, v.height);
-}
-
 static inline real sphere_irradiance(sphere s, vec3 p, vec3 n)
 {
     vec3 f = vsub(s.c, p);
@@ -81,7 +73,12 @@ static inline real sphere_irradiance(sphere s, vec3 p, vec3 n)
     if (e) return sphere_irradiance(sphere_scaled(s, e), vscaled_by(p, e), n);
     if (fabs(power) < d * d / 2) power = sphere_power_at(s, p);
     if (d == 0) return r > 0 ? pi : 0;
-    return sphere_view_irradiance((sphere_view){r, vlength(vcross(n, f)), vdot(n, f), power});
+    if (power < 0) return pi;
+    real across = vlength(vcross(n, f)), height = vdot(n, f);
+    sphere_view v = {r, across, power};
+    if (height <= 0) return sphere_sunk(v, -height);
+    real far = hypot(across, height), sine = r / far;
+    return pi * sine * sine * (height / far) + sphere_sunk(v, height);
 }
 
 #endif
