@@ -47,12 +47,6 @@ static inline real rough_glass_fresnel(const rough_glass *g, vec3 wo, vec3 m, sn
     return fresnel(s);
 }
 
-/* pdf(m) of (23.10), with alpha as it counts. */
-static inline real rough_glass_facets(real a, vec3 wo, vec3 m)
-{
-    return ggx_g1(a, wo) * vdot(wo, m) * ggx_d(a, m) / wo.z;
-}
-
 static inline real rough_glass_alpha(const rough_glass *g)
 {
     return real_max(g->alpha, ggx_least_alpha);
@@ -92,12 +86,13 @@ static inline real rough_glass_value(const rough_glass *g, vec3 wi, vec3 wo)
 
 static inline real rough_glass_pdf(const rough_glass *g, vec3 wi, vec3 wo)
 {
-    real J;
+    real a = rough_glass_alpha(g), J;
     vec3 m;
     snell s;
     if (!(wo.z > 0) || wi.z == 0 || !rough_glass_facet(g, wi, wo, &m, &J)) return 0;
     real F = rough_glass_fresnel(g, wo, m, &s);
-    return (wi.z > 0 ? F : 1 - F) * rough_glass_facets(rough_glass_alpha(g), wo, m) * J;
+    real facets = ggx_g1(a, wo) * vdot(wo, m) * ggx_d(a, m) / wo.z;                    /* (23.10) */
+    return (wi.z > 0 ? F : 1 - F) * facets * J;
 }
 
 /* F cancels: it is the chance of the one, 1 - F that of the other. */
