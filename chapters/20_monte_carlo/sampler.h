@@ -27,8 +27,7 @@
  * and random numbers when all 16 are used up.
  *
  * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002
- * (padding); B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order
- * by scrambling).
+ * (padding); Burley, 2020 (sobol.h), section 5 (order by scrambling).
  */
 #ifndef MONTE_CARLO_SAMPLER_H
 #define MONTE_CARLO_SAMPLER_H

@@ -27,9 +27,8 @@
  * A ball is sampled by directions, uniformly in the cone under which it is seen: no sample falls on
  * its far side, and 1 / |q - p|^2 is gone. From inside it reaches nothing.
  *
- * Sources: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (penumbras);
- * P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo techniques for direct lighting calculations", ACM
- * Trans. Graphics 15(1), 1996 (by area, by cone).
+ * Sources: Cook et al., 1984 (penumbras); P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo
+ * techniques for direct lighting calculations", ACM Trans. Graphics 15(1), 1996 (by area, by cone).
  */
 #ifndef DISTRIBUTED_AREA_LIGHT_H
 #define DISTRIBUTED_AREA_LIGHT_H

@@ -20,9 +20,8 @@
  *
  * "Below" is meant for both normals of a smoothed mesh (07); r is lifted above its plane (19).
  *
- * Sources: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (gloss); B.
- * Phong, CACM 18(6), 1975 (the lobe); E. Lafortune, Y. Willems, "Using the modified Phong
- * reflectance model for physically based rendering", 1994 (its normalisation).
+ * Sources: Cook et al., 1984 (gloss); B. Phong, CACM 18(6), 1975 (the lobe); E. Lafortune, Y.
+ * Willems, "Using the modified Phong reflectance model ..", 1994 (its normalisation).
  */
 #ifndef DISTRIBUTED_GLOSSY_H
 #define DISTRIBUTED_GLOSSY_H

@@ -23,7 +23,7 @@
  *
  * The path is a line, passed at an even speed. n = 0: trace(), to the last bit; time is not read.
  *
- * Source: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
+ * Source: Cook et al., 1984.
  */
 #ifndef DISTRIBUTED_MOTION_H
 #define DISTRIBUTED_MOTION_H

@@ -27,8 +27,7 @@
  * Directions are local, unit, away from the surface; wo.z > 0. alpha below ggx_least_alpha: that;
  * n1 = n2: no boundary, wi = -wo, and no density can name it: f = pdf = 0.
  *
- * Source: B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet models for refraction through
- * rough surfaces", EGSR 2007, equations 13 to 21, 38 to 41; E. Heitz, JCGT 3(2), 2014 (G2).
+ * Source: Walter et al., 2007, equations 13 to 21, 38 to 41; Heitz, 2014 (G2): microfacet.h.
  */
 #ifndef BRDF_ROUGH_GLASS_H
 #define BRDF_ROUGH_GLASS_H
