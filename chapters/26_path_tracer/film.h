@@ -39,7 +39,7 @@ typedef struct { int x0, y0, x1, y1; } film_window;
 typedef struct {
     int width, height;
     film_sum *half[2];                    /* [width height] each: a first sample fills one only */
-    film_range range[film_most_ranges];   /* rising, with gaps between them */
+    film_range range[film_most_ranges + 1];  /* rising, with gaps between them; room for one */
     int ranges;
     film_range pending;                   /* a pass that was stopped: done only where `tile` says */
     bool *tile;                           /* [tiles] of 16 x 16 */
@@ -121,28 +121,23 @@ static inline uint64_t film_samples(const film *f)
 
 static inline bool film_cover(film *f, uint32_t begin, uint32_t end, failure *why)
 {
-    int at = 0, n = f->ranges;
+    int at = 0, n = f->ranges, last = 0;
     if (begin >= end) return true;
     while (at < n && f->range[at].end <= begin) at++;
     if (at < n && f->range[at].begin < end)
         return failed(why, 2, "samples %u:%u are there already, in %u:%u: nothing counts twice",
                       (unsigned)begin, (unsigned)end, (unsigned)f->range[at].begin,
                       (unsigned)f->range[at].end);
-    bool before = at > 0 && f->range[at - 1].end == begin;
-    bool after = at < n && f->range[at].begin == end;
-    if (before && after) {
-        f->range[at - 1].end = f->range[at].end;
-        memmove(f->range + at, f->range + at + 1, (size_t)(n - at - 1) * sizeof *f->range);
-        f->ranges--;
-    } else if (before) f->range[at - 1].end = end;
-    else if (after) f->range[at].begin = begin;
-    else {
-        if (n == film_most_ranges)
-            return failed(why, 2, "more than %d separate ranges of samples", film_most_ranges);
-        memmove(f->range + at + 1, f->range + at, (size_t)(n - at) * sizeof *f->range);
-        f->range[at] = (film_range){begin, end};
-        f->ranges++;
-    }
+    bool touches = (at > 0 && f->range[at - 1].end == begin)
+                || (at < n && f->range[at].begin == end);
+    if (n == film_most_ranges && !touches)
+        return failed(why, 2, "more than %d separate ranges of samples", film_most_ranges);
+    memmove(f->range + at + 1, f->range + at, (size_t)(n - at) * sizeof *f->range);
+    f->range[at] = (film_range){begin, end};
+    for (int i = 1; i <= n; i++)  /* those that touch become one */
+        if (f->range[last].end == f->range[i].begin) f->range[last].end = f->range[i].end;
+        else f->range[++last] = f->range[i];
+    f->ranges = last + 1;
     return true;
 }
 
