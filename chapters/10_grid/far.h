@@ -1,9 +1,9 @@
 /* far.h: rays from so far away that rounding places a hit in a cell beside the right one.
  *
  *        |     |:   /:|     |     delta (10.1) is more than what was paid while building. All the
- *     ---+-----:+--/-:+-----+     cells within delta of the ray are asked: the block of all cells
- *        |    :| /  :| |    |     is halved, as in (10.6), until the ray passes by a block, or it
- *     ---+---:-+/--:-+------+     is one cell.                                             (10.7)
+ *     ---+-----:+--/-:+-----+     cells within delta of the ray are asked: the block of all cells is
+ *        |    :| /  :| |    |     halved, as in (10.6), until the ray passes by a block, or it is
+ *     ---+---:-+/--:-+------+     one cell.                                                (10.7)
  *        |  :  |  :  |      |
  *          <-delta->              Where delta is a quarter of the box or more, all the items are
  *                                 asked: an origin of 1e12 sizes away, in double.

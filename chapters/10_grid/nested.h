@@ -188,8 +188,7 @@ fast_inline bool nested_search(const nested *x, ray r, bool any, hit *out, searc
     grid_line a;
     real from, end, t;
     if (g->entered == 0 || !ray_is_usable(r)) return false;
-    if (!(query_delta(r, g->box) <= g->near))
-        return grid_search_far(g, nested_ask, r, any, out, work);
+    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, nested_ask, r, any, out, work);
     if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();

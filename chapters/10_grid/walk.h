@@ -86,8 +86,8 @@ static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3],
     return first_aabb_pad((aabb){a, b}, more);
 }
 
-/* Halves of the block, cells i to before and middle to j, along its longest axis, which is what is
- * returned; -1: it is one cell. */
+/* Halves of the block, cells i to before and middle to j, along its longest axis, which is returned;
+ * -1: it is one cell. */
 static inline int lattice_halve(const int i[3], const int j[3], int before[3], int middle[3])
 {
     int size[3] = {j[0] - i[0], j[1] - i[1], j[2] - i[2]};
