@@ -139,21 +139,6 @@ static inline bool grid_build(const items *x, grid_options how, grid *out, failu
     return false;
 }
 
-/* The part of the line within the box, by (9.2); where it is parallel, within the box or not. No
- * care for rounding: the box is wider than what it holds by the margin. */
-fast_inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
-{
-    vec3 u = vmul(vsub(box.lo, a->o), a->inverse), v = vmul(vsub(box.hi, a->o), a->inverse);
-    vec3 lo = vmin(u, v), hi = vmax(u, v);
-    if (a->inverse.x != 0) *from = real_max(lo.x, *from), *to = real_min(hi.x, *to);
-    else if (!(a->o.x >= box.lo.x && a->o.x <= box.hi.x)) return false;
-    if (a->inverse.y != 0) *from = real_max(lo.y, *from), *to = real_min(hi.y, *to);
-    else if (!(a->o.y >= box.lo.y && a->o.y <= box.hi.y)) return false;
-    if (a->inverse.z != 0) *from = real_max(lo.z, *from), *to = real_min(hi.z, *to);
-    else if (!(a->o.z >= box.lo.z && a->o.z <= box.hi.z)) return false;
-    return *from <= *to;
-}
-
 /* Asks the items of a cell; true if one was closer than the best so far (any: was hit). */
 fast_inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
                           search_work *work)

@@ -24,7 +24,7 @@
  * Rounding is paid for while building: items are entered in all cells within `margin` of them, so
  * rays of which query_delta (10.1) is not more than `near` need no further care. That is so for
  * rays from within 1023 sizes of the scene (float: 3). Rays from farther off ask all the cells
- * within delta of them: far.h.
+ * within delta of them, or all the items if that is less: see far.h.
  *
  * Cost: building O(cells + references), both O(n) for small items; a ray through n^(1/3) cells.
  *
@@ -38,6 +38,21 @@
 #include "far.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* The part of the line within the box, by (9.2); where it is parallel, within the box or not. No
+ * care for rounding: the box is wider than what it holds by the margin. */
+fast_inline bool grid_span(aabb box, const grid_line *a, real *from, real *to)
+{
+    vec3 u = vmul(vsub(box.lo, a->o), a->inverse), v = vmul(vsub(box.hi, a->o), a->inverse);
+    vec3 lo = vmin(u, v), hi = vmax(u, v);
+    if (a->inverse.x != 0) *from = real_max(lo.x, *from), *to = real_min(hi.x, *to);
+    else if (!(a->o.x >= box.lo.x && a->o.x <= box.hi.x)) return false;
+    if (a->inverse.y != 0) *from = real_max(lo.y, *from), *to = real_min(hi.y, *to);
+    else if (!(a->o.y >= box.lo.y && a->o.y <= box.hi.y)) return false;
+    if (a->inverse.z != 0) *from = real_max(lo.z, *from), *to = real_min(hi.z, *to);
+    else if (!(a->o.z >= box.lo.z && a->o.z <= box.hi.z)) return false;
+    return *from <= *to;
+}
 
 /* The ray, and from where to where in the t of the walk; false: it passes by the box. */
 fast_inline bool grid_begin(const grid *g, ray r, grid_line *a, real *from, real *end)
@@ -73,7 +88,7 @@ fast_inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_wo
     grid_line a;
     real from, end;
     if (g->entered == 0 || !ray_is_usable(r)) return false;
-    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, grid_ask, r, any, out, work);
+    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, r, any, out, work);
     if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();

@@ -80,12 +80,16 @@ fast_inline void lists_take(cell_lists *l, size_t cell, uint32_t i)
 static inline void lists_take_block(cell_lists *l, const marking *m, const overlap_plan *p,
                                     const int i[3], const int j[3], size_t base, uint32_t item)
 {
-    int before[3], middle[3];
+    int size[3] = {j[0] - i[0], j[1] - i[1], j[2] - i[2]};
     if (m->exact && !overlap_box(p, lattice_box(&m->cells, i, j, m->margin))) return;
-    if (lattice_halve(i, j, before, middle) < 0) {
-        lists_take(l, base + lattice_cell(&m->cells, i), item);
+    int k = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+    if (size[k] == 0) {
+        size_t row = (size_t)m->cells.n[0], layer = row * (size_t)m->cells.n[1];
+        lists_take(l, base + (size_t)i[0] + row * (size_t)i[1] + layer * (size_t)i[2], item);
         return;
     }
+    int middle[3] = {i[0], i[1], i[2]}, before[3] = {j[0], j[1], j[2]};
+    before[k] = i[k] + size[k] / 2, middle[k] = before[k] + 1;
     lists_take_block(l, m, p, i, before, base, item);
     lists_take_block(l, m, p, middle, j, base, item);
 }

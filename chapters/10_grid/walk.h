@@ -64,12 +64,6 @@ static inline size_t lattice_cells(const lattice *l)
     return (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2];
 }
 
-static inline size_t lattice_cell(const lattice *l, const int i[3])
-{
-    size_t row = (size_t)l->n[0], layer = row * (size_t)l->n[1];
-    return (size_t)i[0] + row * (size_t)i[1] + layer * (size_t)i[2];
-}
-
 /* Of the cell that holds x on axis k; the outer ones hold what is outside. */
 fast_inline int lattice_index(real x, real lo, real per, int n)
 {
@@ -84,17 +78,6 @@ static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3],
     vec3 b = {(real)(j[0] + 1), (real)(j[1] + 1), (real)(j[2] + 1)};
     a = vadd(l->lo, vmul(a, l->size)), b = vadd(l->lo, vmul(b, l->size));
     return first_aabb_pad((aabb){a, b}, more);
-}
-
-/* Halves of the block, cells i to before and middle to j, along its longest axis, which is returned;
- * -1: it is one cell. */
-static inline int lattice_halve(const int i[3], const int j[3], int before[3], int middle[3])
-{
-    int size[3] = {j[0] - i[0], j[1] - i[1], j[2] - i[2]};
-    int k = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    for (int a = 0; a < 3; a++) before[a] = j[a], middle[a] = i[a];
-    before[k] = i[k] + size[k] / 2, middle[k] = before[k] + 1;
-    return size[k] > 0 ? k : -1;
 }
 
 fast_inline grid_line line_of(ray r)
