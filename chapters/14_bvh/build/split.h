@@ -65,21 +65,15 @@ static inline size_t split_by_number(bvh_item *item, size_t n, int axis)
     return n / 2;
 }
 
-/* Items whose centre lies below `cut` go left. All to one side: halved by number instead. */
-static inline size_t split_at_plane(bvh_item *item, size_t n, int axis, float cut)
-{
-    size_t left = 0, right = n;
-    while (left < right) {
-        if (item_centre(&item[left], axis) < cut) left++;
-        else item_swap(&item[left], &item[--right]);
-    }
-    return left;
-}
-
+/* (14.4): items whose centre lies below the middle go left. All to one side: halved by number. */
 static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, int axis)
 {
-    float lo = s->centres.low[axis], hi = box_high(&s->centres, axis);
-    size_t left = split_at_plane(item, n, axis, 0.5f * lo + 0.5f * hi);
+    float middle = 0.5f * s->centres.low[axis] + 0.5f * box_high(&s->centres, axis);
+    size_t left = 0, right = n;
+    while (left < right) {
+        if (item_centre(&item[left], axis) < middle) left++;
+        else item_swap(&item[left], &item[--right]);
+    }
     return left == 0 || left == n ? split_by_number(item, n, box_longest(&s->centres)) : left;
 }
 
