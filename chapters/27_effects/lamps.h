@@ -39,6 +39,12 @@ static inline void lamps_free(lamp_list *l)
     *l = (lamp_list){.face = NULL};
 }
 
+/* Lamp x is in face `of`. */
+static inline void lamps_add(lamp_list *l, emitter x, studio_face of)
+{
+    if (x.area > 0 && isfinite(x.area)) l->lies_in[l->n] = of, l->face[l->n++] = x;
+}
+
 /* In a studio nothing else shines: finish.h. */
 static inline emitter lamps_of_shape(const shape *s, vec3 Ke)
 {
@@ -69,10 +75,8 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
         studio_face x = s->emitter[i];
         studio_hit h = {{0, 0, 0, x.index}, x.place};
         vec3 Ke = s->material[studio_emitter_material(s, i)].ke;
-        emitter e = x.place == no_shape ? lamps_of_shape(&s->shape[x.index], Ke)
-                                        : lamps_of_triangle(t, x, Ke);
-        if (!(e.area > 0) || !isfinite(e.area)) continue;
-        out->lies_in[out->n] = studio_flat_face(t, h), out->face[out->n++] = e;
+        lamps_add(out, x.place == no_shape ? lamps_of_shape(&s->shape[x.index], Ke)
+                                           : lamps_of_triangle(t, x, Ke), studio_flat_face(t, h));
     }
     double sum = 0;
     for (size_t i = 0; i < out->n; i++) sum += (double)emitter_power(&out->face[i]);
