@@ -31,7 +31,7 @@
 
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/25_bounces/lab/furnace.h"
-#include "../chapters/25_bounces/transport.h"
+#include "../chapters/25_bounces/lab/transport.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -34,8 +34,8 @@
 #ifndef BOUNCES_TRANSPORT_H
 #define BOUNCES_TRANSPORT_H
 
-#include "../../common/file.h"
-#include "../../common/vec3.h"
+#include "../../../common/file.h"
+#include "../../../common/vec3.h"
 
 typedef struct { int n; double *E, *K; } transport;  /* K row by row */
 
