@@ -1,4 +1,4 @@
-/* 19's first.h: reflection, refraction and Fresnel as reflect.h, refract.h and fresnel.h have them,
+/* 19's first.h: reflection, refraction and Fresnel as reflect.h and refract.h have them,
  * and the radiance of whitted.h on two balls over a board; what n2 = n1 (1 + epsilon) and glass that
  * touches glass make of it. */
 #include "check.h"

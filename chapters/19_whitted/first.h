@@ -1,5 +1,5 @@
 /* first.h: Whitted's ray tracer: shade() calls trace() again for what mirrors and glass show.
- * Wrong where n2 is nearly n1: R loses digits (fresnel.h); where glass touches glass: one face goes
+ * Wrong where n2 is nearly n1: R loses digits (refract.h); where glass touches glass: one face goes
  * unseen (media.h); in glass light is n^2 too bright, the sky n^2 too dark (whitted.h). */
 #ifndef FIRST_WHITTED_H
 #define FIRST_WHITTED_H

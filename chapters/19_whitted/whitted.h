@@ -5,7 +5,7 @@
  *   depth 2   o--- shadow rays                                 opaque: M, at every angle
  *            / \                                     L = e^(-sigma s) (shade + R M L(reflected)
  *   depth 3 o   o   reflected, refracted                 + (1 - R) kt (n1/n2)^2 L(refracted))
- *          / \   \                               glass  (19.10); R: fresnel.h; sigma, s: media.h
+ *          / \   \                               glass  (19.10); R: refract.h; sigma, s: media.h
  *
  * Ray depth (光线深度) as the notes count it: the eye ray has depth 1, what it gives rise to 2, ...
  * Shadow rays have none. The recursion ends at a depth, or where a branch can no longer contribute:
@@ -32,7 +32,7 @@
 #ifndef WHITTED_H
 #define WHITTED_H
 
-#include "fresnel.h"
+#include "refract.h"
 #include "whitted_place.h"
 
 /* ---------------------------------------------------------------------------------------------- */

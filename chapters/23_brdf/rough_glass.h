@@ -32,7 +32,7 @@
 #ifndef BRDF_ROUGH_GLASS_H
 #define BRDF_ROUGH_GLASS_H
 
-#include "../19_whitted/fresnel.h"
+#include "../19_whitted/refract.h"
 #include "microfacet.h"
 
 typedef struct { real alpha, n1, n2; } rough_glass;

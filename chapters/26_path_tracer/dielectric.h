@@ -21,7 +21,7 @@
 #ifndef PATH_DIELECTRIC_H
 #define PATH_DIELECTRIC_H
 
-#include "../19_whitted/fresnel.h"
+#include "../19_whitted/refract.h"
 #include "../19_whitted/media.h"
 #include "../19_whitted/reflect.h"
 #include "../23_brdf/rough_glass.h"

@@ -7,7 +7,7 @@
 #define WHITTED_LAB_FIGURES_H
 
 #include "../../../common/lab/figure.h"
-#include "../fresnel.h"
+#include "../refract.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -9,7 +9,7 @@
 #ifndef WHITTED_OPTICS_NAIVE_H
 #define WHITTED_OPTICS_NAIVE_H
 
-#include "../fresnel.h"
+#include "../refract.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
