@@ -11,7 +11,7 @@
  *
  *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
  *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
- *   SEQUENCE_HALTON        without scrambling (halton.h)        N^-1 but for logarithms; not random
+ *   SEQUENCE_HALTON        without scrambling                   N^-1 but for logarithms; not random
  *   SEQUENCE_SOBOL         Sobol's with Owen's scrambling       N^-3/2 smooth, N^-3/4 at an edge
  *
  * All that is returned lies in [0,1) and depends on (kind, seed, pixel, sample, n, dimension)
@@ -27,14 +27,13 @@
  * and random numbers when all 16 are used up.
  *
  * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002
- * (padding); Burley, 2020 (sobol.h), section 5 (order by scrambling).
+ * (padding); Burley, 2020 (sequences.h), section 5 (order by scrambling).
  */
 #ifndef MONTE_CARLO_SAMPLER_H
 #define MONTE_CARLO_SAMPLER_H
 
-#include "halton.h"
 #include "jitter.h"
-#include "sobol.h"
+#include "sequences.h"
 #include <stddef.h>
 
 typedef struct { real u, v; } point2;
