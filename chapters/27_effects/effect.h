@@ -12,7 +12,7 @@
  *   EFFECT_ENVIRONMENT       environment         shadow rays to the sky
  *   EFFECT_DEPTH_OF_FIELD    depth               rays through all of the lens
  *
- *   integrator k = integrator_of(mask)           the least that can do all of them
+ *   const char *name = integrator_of(mask)       the least that can do all of them
  */
 #ifndef EFFECT_H
 #define EFFECT_H
@@ -37,22 +37,17 @@ enum {
         | EFFECT_DEPTH_OF_FIELD            /* integrals: they take random numbers */
 };
 
-typedef enum { INTEGRATOR_CASTING, INTEGRATOR_WHITTED, INTEGRATOR_PATHS } integrator;
-
 static const struct { const char *option, *name; } effect_names[effect_kinds] = {
     {"hard", "hard shadows"}, {"soft", "soft shadows"}, {"mirror", "mirror"}, {"glossy", "glossy"},
     {"refraction", "refraction"}, {"absorption", "absorption"}, {"indirect", "indirect light"},
     {"environment", "environment"}, {"depth", "depth of field"}};
 
-static const char *const integrator_names[] = {"ray casting", "Whitted ray tracing",
-                                               "path tracing"};
-
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline integrator integrator_of(unsigned mask)
+static inline const char *integrator_of(unsigned mask)
 {
-    return mask & EFFECTS_OF_CHANCE ? INTEGRATOR_PATHS
-        : mask & EFFECTS_WHITTED ? INTEGRATOR_WHITTED : INTEGRATOR_CASTING;
+    return mask & EFFECTS_OF_CHANCE ? "path tracing"
+        : mask & EFFECTS_WHITTED ? "Whitted ray tracing" : "ray casting";
 }
 
 #endif

@@ -185,7 +185,7 @@ static inline void explain(FILE *out, const studio *s, const plan *p, const stud
                 "materials; %zu lights; %zu emitting faces", s->shapes + s->solids, s->meshes,
                 s->places, triangles, s->materials, s->lights, s->emitters);
     explain_view(out, s, v);
-    explain_say(out, "plan       %s", integrator_names[integrator_of(p->effects)]);
+    explain_say(out, "plan       %s", integrator_of(p->effects));
     for (int k = 0; k < effect_kinds; k++)
         explain_say(out, "  %-13s %-15s %s", verdict_names[p->verdict[k]], effect_names[k].name,
                     explain_why(p, k).text);

@@ -87,7 +87,7 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
             snprintf(called + strlen(called), sizeof called - strlen(called), "%s%s",
                      *called ? ", " : "", effect_names[i].option);
     table_text(t, "%s", list[k].name);
-    table_text(t, "%s", integrator_names[integrator_of(p.effects)]);
+    table_text(t, "%s", integrator_of(p.effects));
     table_text(t, "%s", called);
     for (const drawing *d = &j; d; d = d == &j ? &all : NULL) {
         table_number(t, (double)draw_rays(&d->counts) / draw_pixels(d));
