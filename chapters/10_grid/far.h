@@ -7,7 +7,7 @@
  *        |  :  |  :  |      |     Where those are more cells than there are items, all the items
  *          <-delta->              are asked: an origin of 1e13 sizes away, in double.
  *
- *   bool grid_search_far(&g, r, any, &h, &work)
+ *   bool grid_search_far(&g, ask, r, any, &h, &work)      ask: grid_ask, or nested_ask
  */
 #ifndef FAR_H
 #define FAR_H
@@ -45,8 +45,9 @@ fast_inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, vec3
 /* On axis k the ray moves fastest, so where it passes the sides of a layer is as exact as any of
  * its points: within 16 epsilon D. Layers are delta thicker on either side, and a hit in one
  * has its t between those of its sides: a layer that begins beyond the best hit ends the search. */
-fast_inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
-                                    search_work *work)
+__attribute__((noinline, cold))
+static bool grid_search_far(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
+                            search_work *work)
 {
     const lattice *l = &g->cells;
     real delta = 2 * query_delta(r, g->box) + g->margin, cells = 1;
@@ -78,12 +79,6 @@ fast_inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bo
         if (grid_ask_block(g, ask, lo, hi, &q, &seen, any, work) && any) return true;
     }
     return query_answer(&q, out);
-}
-
-__attribute__((noinline, cold))
-static bool grid_search_far(const grid *g, ray r, bool any, hit *out, search_work *work)
-{
-    return grid_search_layers(g, grid_ask, r, any, out, work);
 }
 
 #endif

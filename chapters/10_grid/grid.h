@@ -88,7 +88,8 @@ fast_inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_wo
     grid_line a;
     real from, end;
     if (g->entered == 0 || !ray_is_usable(r)) return false;
-    if (!(query_delta(r, g->box) <= g->near)) return grid_search_far(g, r, any, out, work);
+    if (!(query_delta(r, g->box) <= g->near))
+        return grid_search_far(g, grid_ask, r, any, out, work);
     if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();

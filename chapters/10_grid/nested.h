@@ -171,12 +171,6 @@ fast_inline bool nested_ask(const grid *g, size_t cell, query *q, mailbox *seen,
     return found;
 }
 
-__attribute__((noinline, cold))
-static bool nested_search_far(const nested *x, ray r, bool any, hit *out, search_work *work)
-{
-    return grid_search_layers(&x->g, nested_ask, r, any, out, work);
-}
-
 /* The walk through one outer cell, from t to `end`. */
 fast_inline bool nested_pass(const nested *x, const nested_part *p, const grid_line *a, real t,
                              real end, query *q, mailbox *seen, bool any, search_work *work)
@@ -194,7 +188,8 @@ fast_inline bool nested_search(const nested *x, ray r, bool any, hit *out, searc
     grid_line a;
     real from, end, t;
     if (g->entered == 0 || !ray_is_usable(r)) return false;
-    if (!(query_delta(r, g->box) <= g->near)) return nested_search_far(x, r, any, out, work);
+    if (!(query_delta(r, g->box) <= g->near))
+        return grid_search_far(g, nested_ask, r, any, out, work);
     if (!grid_begin(g, r, &a, &from, &end)) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();

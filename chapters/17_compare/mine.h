@@ -4,8 +4,6 @@
  *     build/mine-17/17_compare --verify --only mine     that alone, all rays by brute force
  * It must be called mine, with mine_options, and needs no #include: items and query are those of
  * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. */
-#ifndef COMPARE_MINE_H
-#define COMPARE_MINE_H
 
 typedef struct { size_t most_bytes; } mine_options;
 typedef struct { items x; aabb all, *box; structure_stats stats; } mine;
@@ -42,4 +40,3 @@ static inline bool mine_search(const mine *m, ray r, bool any, hit *out, search_
 
 static inline structure_stats mine_stats(const mine *m) { return m->stats; }
 STRUCTURE_VERBS(mine)
-#endif
