@@ -47,7 +47,7 @@ int main(int argc, char **argv)
         {"up", OPTION_TEXT, &up, 0, 0, "of that mesh: y (default) or z points up"},
         {"strategy", OPTION_TEXT, &strategy, 0, 0,
          "cycle, longest, median, sah, sweep, morton or spatial"},
-        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words and drawn"},
         {"leaf", OPTION_INT, &leaf, 1, 255, "most triangles in a leaf"}, {0}};
     options o = options_read(argc, argv, "14_bvh", "Bounding volume hierarchies of meshes.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);

@@ -1,7 +1,9 @@
 /* pixel.h: one pixel's ray, all of it: the boxes that it enters, passes and leaves, the triangles
- * that it asks, its hit and how far that is off. In words, lines with the number of their equation.
+ * that it asks, its hit and how far that is off. In words, lines with the number of their equation,
+ * and as a drawing along t.
  *
- *   pixel_explain(&o, &m, how, z_up, "320,200")   that pixel's middle, columns and rows from 0
+ *   pixel_explain(&o, &m, how, z_up, "320,200")   that pixel's middle, columns and rows from 0;
+ *                                                 the drawing goes to build/14_bvh_pixel.svg
  *
  * The walk here is tree_search (search.h) as a recursion, so that it can speak; that both do the
  * same is tested each time: the same hit, as many boxes, as many triangles. The error of t is
@@ -11,11 +13,23 @@
 #define BVH_PIXEL_H
 
 #include "../../../common/lab/explain.h"
+#include "../../../common/lab/figure.h"
 #include "../../../common/numbers/wide.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "../bvh_mesh.h"
 
-typedef struct { const bvh_mesh *b; box_ray ray; query q; search_work work; } pixel_walk;
+typedef enum { PIXEL_MISSED, PIXEL_DROPPED, PIXEL_ENTERED, PIXEL_LEAF } pixel_fate;
+typedef struct { uint32_t node; int depth; double enter, exit; pixel_fate fate; } pixel_row;
+
+enum { pixel_most_rows = 400 };
+typedef struct {
+    const bvh_mesh *b;
+    box_ray ray;
+    query q;
+    search_work work;
+    pixel_row row[pixel_most_rows];  /* boxes in the order in which they are tested */
+    int rows;
+} pixel_walk;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -26,14 +40,17 @@ static inline bool pixel_box(pixel_walk *w, uint32_t node, int depth, float *ent
     double t = 1 / (double)w->ray.scale;
     float exit, limit = box_ray_limit(&w->ray, w->q.r.tmax);
     *enter = box_enter(n, &w->ray, INFINITY, &exit);
-    if (*enter > exit)
-        return explain_line(depth, "(9.5)", "box %u: missed, and all that is in it", node), false;
-    if (*enter > limit)
-        return explain_line(depth, "(7.1)", "box %u: begins at t = %.6g, behind the hit", node,
-                            (double)*enter * t), false;
-    explain_line(depth, "(14.2)", "box %u%s: the ray is in it from t = %.6g to %.6g", node,
-                 n->count ? ", a leaf" : "", (double)*enter * t, (double)exit * t);
-    return true;
+    pixel_row row = {node, depth, (double)*enter * t, (double)exit * t,
+                     *enter > exit ? PIXEL_MISSED : *enter > limit ? PIXEL_DROPPED
+                     : n->count ? PIXEL_LEAF : PIXEL_ENTERED};
+    if (w->rows < pixel_most_rows) w->row[w->rows++] = row;
+    if (row.fate == PIXEL_MISSED)
+        explain_line(depth, "(9.5)", "box %u: missed, and all that is in it", node);
+    else if (row.fate == PIXEL_DROPPED)
+        explain_line(depth, "(7.1)", "box %u: begins at t = %.6g, behind the hit", node, row.enter);
+    else explain_line(depth, "(14.2)", "box %u%s: the ray is in it from t = %.6g to %.6g", node,
+                      n->count ? ", a leaf" : "", row.enter, row.exit);
+    return row.fate >= PIXEL_ENTERED;
 }
 
 static inline void pixel_leaf(pixel_walk *w, const bvh_node *n, int depth)
@@ -59,6 +76,7 @@ static inline void pixel_visit(pixel_walk *w, uint32_t node, int depth)
         return;
     }
     w->work.nodes++;
+    int row = w->rows;
     bool in[2] = {pixel_box(w, n->first, depth, &enter[0]),
                   pixel_box(w, n->first + 1, depth, &enter[1])};
     uint32_t near = in[0] && in[1] && enter[1] < enter[0];  /* that is first */
@@ -68,6 +86,7 @@ static inline void pixel_visit(pixel_walk *w, uint32_t node, int depth)
         if (k && enter[child] > box_ray_limit(&w->ray, w->q.r.tmax)) {
             explain_line(depth, "(7.1)", "box %u: not opened, the hit lies before it",
                          n->first + child);
+            if (row + (int)child < w->rows) w->row[row + (int)child].fate = PIXEL_DROPPED;
             continue;
         }
         if (in[0] && in[1])
@@ -86,10 +105,48 @@ static inline double pixel_exact_t(triangle tri, ray r)
                                wide3_dot(wide3_of(r.d), n)));
 }
 
+/* A row a box, from where to where the ray is in it; the hit as a line down through all of them. */
+static inline void pixel_draw(const options *o, const pixel_walk *w, const char *title)
+{
+    static const char *const colour[] = {FIGURE_GREY, FIGURE_ORANGE, FIGURE_SKY, FIGURE_GREEN};
+    static const char *const says[] = {"missed", "behind the hit", "entered", "a leaf, asked"};
+    char room[512];
+    double from = real_largest, to = 0, step = 17;
+    for (int i = 0; i < w->rows; i++) {
+        if (w->row[i].fate == PIXEL_MISSED) continue;
+        from = fmin(from, w->row[i].enter), to = fmax(to, w->row[i].exit);
+    }
+    if (!(to > from)) return;
+    double scale = 560 / (to - from);
+    figure g = figure_at(output_path(o, "14_bvh_pixel.svg", true, room), 960,
+                         (int)(step * w->rows) + 100);
+    figure_origin(&g, 20, 24, 1);
+    figure_text(&g, 0, 0, 0, 0, FIGURE_LEFT, FIGURE_BLACK, title);
+    for (int k = 0; k < 4; k++)
+        figure_text(&g, 320 + 150 * k, 0, 0, 22, FIGURE_LEFT, colour[k], says[k]);
+    for (int i = 0; i < w->rows; i++) {
+        const pixel_row *row = &w->row[i];
+        double y = -44 - step * i, x0 = 350 + scale * (row->enter - from);
+        double x1 = 350 + scale * (row->exit - from);
+        double bar[8] = {x0, y - 4, x1, y - 4, x1, y + 8, x0, y + 8};
+        figure_print(&g, 10 * row->depth, y, 0, 4, FIGURE_LEFT, colour[row->fate], "box %u",
+                     row->node);
+        if (row->fate != PIXEL_MISSED) figure_polygon(&g, 4, bar, colour[row->fate], 0.7, NULL);
+    }
+    double x = 350 + scale * ((double)w->q.best.t - from), end = -50 - step * w->rows;
+    if (w->q.best.shape != no_shape) {
+        figure_line(&g, x, -36, x, end, FIGURE_RED, 1.5, FIGURE_WHOLE);
+        figure_print(&g, x, end, 0, 18, FIGURE_MIDDLE, FIGURE_RED, "_t_ = %.6g",
+                     (double)w->q.best.t);
+    }
+    figure_end(&g);
+}
+
 static inline void pixel_explain(const options *o, const mesh *m, bvh_options how, bool z_up,
                                  const char *text)
 {
     int xy[2];
+    char title[80];
     vec3 lo, hi;
     bvh_mesh b;
     failure f;
@@ -101,7 +158,10 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
     mesh_bounds(m, &lo, &hi);
     camera c = camera_of(lo, hi, z_up, (real)o->width / (real)o->height);
     ray r = camera_ray(c, (real)xy[0] + (real)0.5, (real)xy[1] + (real)0.5, o->width, o->height);
-    pixel_walk w = {.b = &b, .q = query_of(r)};
+    snprintf(title, sizeof title, "Pixel %d, %d of %d x %d: its ray along _t_", xy[0], xy[1],
+             o->width, o->height);
+    pixel_walk *w = allocate(1, sizeof *w);
+    w->b = &b, w->q = query_of(r);
 
     printf("# The ray of pixel %d, %d of %d x %d, %zu triangles\n", xy[0], xy[1], o->width,
            o->height, m->triangles);
@@ -109,13 +169,13 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
                  (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y, (double)r.d.z);
     explain_line(0, "(1.2), (1.4)", "p(t) = o + t d, t from %g to %g", (double)r.tmin,
                  (double)r.tmax);
-    if (b.tree.items) w.ray = box_ray_of(r, b.tree.node, NULL);
-    if (b.tree.items && pixel_box(&w, 0, 0, &enter)) pixel_visit(&w, 0, 1);
+    if (b.tree.items) w->ray = box_ray_of(r, b.tree.node, NULL);
+    if (b.tree.items && pixel_box(w, 0, 0, &enter)) pixel_visit(w, 0, 1);
 
     bool found = bvh_mesh_hit_counted(&b, r, &h, &work);
-    hit best = w.q.best;
+    hit best = w->q.best;
     if ((found ? h.shape : no_shape) != best.shape || (found && h.t != best.t)
-        || work.nodes != w.work.nodes || work.tests != w.work.tests)
+        || work.nodes != w->work.nodes || work.tests != w->work.tests)
         die(1, "--pixel: this walk is not that of search.h");
     if (found) {
         vec3 p = ray_at(r, h.t);
@@ -126,7 +186,9 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
                      fabs((double)h.t - t) / t);
     } else printf("no hit\n");
     printf("%zu pairs of boxes and %zu triangles, of %zu\n", work.nodes, work.tests, m->triangles);
+    pixel_draw(o, w, title);
     bvh_mesh_free(&b);
+    free(w);
 }
 
 #endif
