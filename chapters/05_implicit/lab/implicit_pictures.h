@@ -1,6 +1,7 @@
 /* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
  *
  *   implicit_draw(&o)                 Barth's sextic: the main picture
+ *   implicit_draw_shapes(&o)          a gyroid, a blend, a torus: side by side
  *   implicit_draw_missed(&o)          Barth's sextic from close by, by steps and by intervals: red
  *                                     is what steps miss
  *
@@ -126,6 +127,36 @@ static inline void implicit_draw(const options *o)
     image_free(&im);
 }
 
+/* Panels of one row, with their titles. */
+static inline void implicit_draw_row(const options *o, const implicit_view *v,
+                                     const char *const *title, int n, const char *name)
+{
+    enum { gap = 6 };
+    image sheet = {0}, one = image_new((960 + gap) / n - gap, o->quick ? 60 : 316);
+    bool whole = true;
+    for (int k = 0; k < n && whole; k++) {
+        whole = implicit_render(v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);
+        label_panel(&sheet, n, 1, gap, k, &one);
+    }
+    panels_save(o, &sheet, n, 1, gap, title, name, whole);
+    image_free(&one);
+}
+
+static inline void implicit_draw_shapes(const options *o)
+{
+    static const char *const title[] = {"gyroid, by intervals", "smooth union, sphere tracing",
+                                        "torus, by intervals"};
+    implicit_view v[] = {
+        {.s = implicit_subject_of(IMPLICIT_GYROID).s, .how = implicit_sure},
+        {.s = implicit_subject_of(IMPLICIT_BLEND).s,
+         .how = {IMPLICIT_TRACE, implicit_trace_steps, implicit_trace_eps}},
+        {.s = implicit_subject_of(IMPLICIT_TORUS).s, .how = implicit_sure}};
+    v[0].c = implicit_camera(vec(0, 0, 0), 3 * v[0].s.ball.r, 40, 30, 25);
+    v[1].c = implicit_camera(vec(-0.05, 0, 0), 3 * v[1].s.ball.r, 27, 30, 30);
+    v[2].c = implicit_camera(vec(0, 0, 0), 3 * v[2].s.ball.r, 31, 35, 30);
+    implicit_draw_row(o, v, title, 3, "05_implicit_shapes.png");
+}
+
 static inline void implicit_draw_missed(const options *o)
 {
     static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
@@ -134,14 +165,7 @@ static inline void implicit_draw_missed(const options *o)
     v[1] = v[0];
     v[0].how = (implicit_how){IMPLICIT_FIRST, 24, 0}, v[0].judge = true;
     v[1].how = implicit_sure;
-    image sheet = {0}, one = image_new(477, o->quick ? 60 : 316);
-    bool whole = true;
-    for (int k = 0; k < 2 && whole; k++) {
-        whole = implicit_render(v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);
-        label_panel(&sheet, 2, 1, 6, k, &one);
-    }
-    panels_save(o, &sheet, 2, 1, 6, title, "05_implicit_missed.png", whole);
-    image_free(&one);
+    implicit_draw_row(o, v, title, 2, "05_implicit_missed.png");
 }
 
 #endif
