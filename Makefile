@@ -227,7 +227,7 @@ soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
 
 # FULL=1: of what the programs print with --full, but for BRIEF=".." of them; KEEP=FOLDER, a whole path: keeps it there, and their CSV.
 # BENCH_ONCE: times, which nobody compares, are taken once.
-pages: all $(if $(FULL),$(BUILD)/27_tax)
+pages: all $(if $(FULL),$(if $(filter 27_effects,$(BRIEF)),,$(BUILD)/27_tax))
 	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" BRIEF="$(BRIEF)" KEEP="$(KEEP)" sh tests/pages.sh
 
 precision:
