@@ -249,8 +249,9 @@ static int seen_before(real z, real gap)
     return near_ones;
 }
 
-/* A whole step of (8.5) is told, and two roundings in real beside it; none is, a 16th of a step. As
- * was usual, 1 - near / z: from 1e3 on walls a hundred such steps apart are the same number. */
+/* A whole step of (8.5) is told, and two roundings in real beside it; a 16th of one only where the
+ * end of a step happens to lie between, one in 16, or in 8 where steps are half as long. As was
+ * usual, 1 - near / z: from 1e3 on walls a hundred such steps apart are the same number. */
 static void test_depths(void)
 {
     random_stream g = random_start(4, 0, 0);
@@ -263,7 +264,7 @@ static void test_depths(void)
         same += (float)(1 - 0.01 / z) == (float)(1 - 0.01 / (z * (1 + 100 * gap)));
     }
     check_equal(lost, 0, "walls more than a step apart that are not told, of %zu", n);
-    check_at_most((double)told, 0.2 * (double)n, "and a 16th of a step");
+    check_at_most((double)told, 0.2 * (double)n, "and a 16th of a step: told");
     check_at_least((double)same, 0.9 * (double)n, "1 - near / z: a hundred steps are one number");
 }
 
