@@ -97,21 +97,25 @@ static inline void orders_draw_flat(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* dark[k]: is the lamp hidden from what pixel k of s shows? By a map, or (NULL) by the ray of
- * (1.5), its ends left out. How many are dark. */
-static inline size_t orders_darken(const raster *s, const mesh *m, camera lamp,
-                                   const shadow_map *map, real bias, bool *dark)
+typedef struct { const raster *s; const mesh *m; const shadow_map *map; real bias; bool *dark; }
+    orders_shade;
+
+static inline void orders_dark(int x, int y, void *context)
 {
-    size_t n = 0;
-    for (int k = 0; k < s->nx * s->ny; k++) {
-        dark[k] = false;
-        if (s->h[k].shape == no_shape) continue;
-        vec3 p = orders_point(m, s->h[k]);
-        dark[k] = map ? shadow_map_dark(map, p, bias)
-                      : mesh_occluded(m, ray_shadow(p, lamp.e, (real)1e-4));
-        n += dark[k];
-    }
-    return n;
+    const orders_shade *j = context;
+    size_t k = (size_t)y * (size_t)j->s->nx + (size_t)x;
+    hit h = j->s->h[k];
+    vec3 p = h.shape == no_shape ? orders_lamp_place : orders_point(j->m, h);
+    j->dark[k] = h.shape != no_shape
+        && (j->map ? shadow_map_dark(j->map, p, j->bias)
+                   : mesh_occluded(j->m, ray_shadow(p, orders_lamp_place, (real)1e-4)));
+}
+
+/* dark[k]: is the lamp hidden from what pixel k of s shows? By a map, or (NULL) by the ray of
+ * (1.5), its ends left out. */
+static inline bool orders_darken(orders_shade j, int threads)
+{
+    return parallel_pixels(j.s->nx, j.s->ny, threads, "shadows", orders_dark, &j);
 }
 
 static inline void orders_draw_shadow(const options *o)
@@ -125,20 +129,20 @@ static inline void orders_draw_shadow(const options *o)
     const size_t n = (size_t)(w * h);
     image im = image_new(2 * w + orders_gap, 2 * h + orders_gap);
     mesh m = orders_scene(4, false);
-    camera c = orders_camera((real)w / (real)h), lamp = orders_lamp();
+    camera c = orders_camera((real)w / (real)h);
     raster s = raster_new(w, h);
     bool *dark = allocate(n, 1), *wrong = allocate(n, 1), *due = allocate(n, 1);
     raster_mesh(&s, &m, c, raster_default);
-    orders_darken(&s, &m, lamp, NULL, 0, due);
+    bool whole = orders_darken((orders_shade){&s, &m, NULL, 0, due}, o->threads);
     for (int i = 0; i < 4; i++) {
-        shadow_map t = shadow_map_new(&m, lamp, map[i].side, raster_default);
-        if (i) orders_darken(&s, &m, lamp, &t, map[i].bias, dark);
+        shadow_map t = shadow_map_new(&m, orders_lamp(), map[i].side, raster_default);
+        if (i) whole &= orders_darken((orders_shade){&s, &m, &t, map[i].bias, dark}, o->threads);
         for (size_t k = 0; i && k < n; k++) wrong[k] = dark[k] != due[k];
         orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c,
                      i ? dark : due, wrong);
         shadow_map_free(&t);
     }
-    panels_save(o, &im, 2, 2, orders_gap, title, "08_object_order_shadow.png", true);
+    panels_save(o, &im, 2, 2, orders_gap, title, "08_object_order_shadow.png", whole);
     free(dark), free(wrong), free(due), raster_free(&s), mesh_free(&m);
 }
 

@@ -48,7 +48,7 @@ static inline void orders_measure(const options *o)
     static const int bits[orders_ways] = {0, 1, 4, 8, 16, -1};
     static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
         "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
-    int nx = o->quick ? 40 : o->full ? 320 : 160, ny = nx * 3 / 4;
+    int nx = o->quick ? 40 : o->full ? 320 : 120, ny = nx * 3 / 4;
     mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];
@@ -63,7 +63,7 @@ static inline void orders_measure(const options *o)
         way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
     bench_each(orders_run, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
     for (int k = 0; k < orders_ways; k++) {
-        raster s = orders_by(&way[k]);
+        raster s = bits[k] < 0 ? due : orders_by(&way[k]);
         int step = bits[k] > 0 ? bits[k] : 8;
         orders_difference d = orders_compare(&s, &due, &m, c, step);
         table_text(&t, "%s", name[k]);
@@ -74,7 +74,7 @@ static inline void orders_measure(const options *o)
         raster_free(&s);
     }
     output_table(o, &t);
-    raster_free(&due), mesh_free(&m);
+    mesh_free(&m);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -136,18 +136,18 @@ static inline void orders_depths(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const mesh *m; const raster *s; int side; real bias; bool *dark; } orders_shadow;
+typedef struct { orders_shade shade; int side; } orders_shadow;
 
-/* All pixels of s: by a map of side x side made anew, or (0) by rays. */
+/* All pixels: by a map of side x side made anew, or (0) by rays. */
 static inline double orders_shadow_run(void *context)
 {
-    const orders_shadow *w = context;
-    camera lamp = orders_lamp();
-    if (!w->side) return (double)orders_darken(w->s, w->m, lamp, NULL, 0, w->dark);
-    shadow_map t = shadow_map_new(w->m, lamp, w->side, raster_default);
-    size_t dark = orders_darken(w->s, w->m, lamp, &t, w->bias, w->dark);
-    shadow_map_free(&t);
-    return (double)dark;
+    orders_shade j = ((orders_shadow *)context)->shade;
+    int side = ((orders_shadow *)context)->side;
+    shadow_map t = {0};
+    if (side) t = shadow_map_new(j.m, orders_lamp(), side, raster_default), j.map = &t;
+    orders_darken(j, 1);
+    if (side) shadow_map_free(&t);
+    return j.dark[0];
 }
 
 static inline void orders_shadows(const options *o)
@@ -163,14 +163,14 @@ static inline void orders_shadows(const options *o)
                         "error: bias 0.04|error: bias 0.004|time [ms]");
     orders_shadow w[4];
     double ms[4];
-    for (int k = 0; k < 4; k++) w[k] = (orders_shadow){&m, &s, sides[k], bias[2], dark};
+    for (int k = 0; k < 4; k++) w[k] = (orders_shadow){{&s, &m, NULL, bias[2], dark}, sides[k]};
     bench_each(orders_shadow_run, w, sizeof *w, 4, 3, 1e3, ms);
-    orders_darken(&s, &m, orders_lamp(), NULL, 0, due);
+    orders_darken((orders_shade){&s, &m, NULL, 0, due}, o->threads);
     for (int k = 0; k < 4; k++) {
         table_text(&t, sides[k] ? "%d x %d" : "rays", sides[k], sides[k]);
         for (int j = 0; j < 3; j++) {
             size_t wrong = 0;
-            w[k].bias = bias[j], orders_shadow_run(&w[k]);
+            w[k].shade.bias = bias[j], orders_shadow_run(&w[k]);
             for (int i = 0; i < nx * ny; i++) wrong += dark[i] != due[i];
             table_number(&t, 100 * (double)wrong / (nx * ny));
         }
