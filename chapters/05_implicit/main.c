@@ -9,7 +9,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 05_implicit chapter
 
 int main(int argc, char **argv)
 {
-    options o = {.width = 960, .height = 640, .samples = 9, .seed = 1,
+    options o = {.width = 960, .height = 640, .samples = 4, .seed = 1,
                  .quick_width = 240, .quick_height = 160, .quick_samples = 1};
     o = options_read(argc, argv, "05_implicit", "Surfaces f(p) = 0, and who misses what.", o, NULL);
     implicit_draw(&o);

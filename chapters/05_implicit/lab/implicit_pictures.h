@@ -135,7 +135,7 @@ static inline void implicit_draw_row(const options *o, const implicit_view *v,
     image sheet = {0}, one = image_new((960 + gap) / n - gap, o->quick ? 60 : 316);
     bool whole = true;
     for (int k = 0; k < n && whole; k++) {
-        whole = implicit_render(v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);
+        whole = implicit_render(v[k], o->samples, o->threads, &one);
         label_panel(&sheet, n, 1, gap, k, &one);
     }
     panels_save(o, &sheet, n, 1, gap, title, name, whole);

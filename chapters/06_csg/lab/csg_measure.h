@@ -70,7 +70,7 @@ static inline void csg_main_table(const options *o)
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
         x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, m, r, csg_timed};
-    bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
+    bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : o->full ? 31 : 9, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error foils [%]|time [ns]");
@@ -129,7 +129,7 @@ static inline void csg_savings_table(const options *o)
     }
     c[0].no_bounds = true;
     for (int k = 0; k < 2; k++) x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
-    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, ns);
+    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : o->full ? 25 : 9, 1e9 / (double)few, ns);
     for (int k = 0; k < 2; k++) {
         csg_asked.solids = csg_asked.bounds = 0;
         for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);

@@ -78,37 +78,39 @@ static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, im
  * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y = 0,
  * which holds edges. True is: of the ring, parity along a ray that leaves the plane; the teapot is
  * open, so nothing is true, and what differs from the winding number counts as wrong. */
-typedef struct { const mesh *m; int method, side; bool open; } mesh_slice;
+typedef struct { const mesh *m; int side, top; bool open; image *sheet; } mesh_slice;
+enum { slice_gap = 6 };
 
-/* Blue inside, pale outside, between them a winding number between 0 and 1; orange: wrong. */
-static vec3 slice_colour(const void *context, real x, real y)
+/* One point, by all three: blue inside, pale outside, between them a winding number between 0 and
+ * 1; orange: wrong. */
+static inline void slice_point(int x, int y, void *context)
 {
-    const vec3 in = {0, 0.17, 0.45}, out = {0.8, 0.85, 0.9};
+    const vec3 in = {0, 0.17, 0.45}, out = {0.8, 0.85, 0.9}, d = {1, 0, 0};
     const mesh_slice *s = context;
-    real a = 2 * x / (real)s->side - 1, b = 1 - 2 * y / (real)s->side;
-    vec3 d = {1, 0, 0}, p = vec((real)1.1 * a, (real)1.1 * b, 0);
+    real a = (2 * (real)x + 1) / (real)s->side - 1, b = 1 - (2 * (real)y + 1) / (real)s->side;
+    vec3 p = vec((real)1.1 * a, (real)1.1 * b, 0);
     if (s->open) p = vec((real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6);
-    double turns = s->method == 2 || s->open ? winding_number(s->m, p) : 0;
-    double w = s->method == 0 ? inside_parity_naive(s->m, p, d)
-             : s->method == 1 ? inside_parity(s->m, p, d) : turns;
-    bool due = s->open ? turns > 0.5 : inside_parity(s->m, p, vec(0.36, 0.48, 0.8));
-    if ((w > 0.5) != due) return vec(0.67, 0.11, 0);
-    return vmadd(out, vsub(in, out), (real)fmin(fmax(w, 0), 1));
+    const double w[3] = {inside_parity_naive(s->m, p, d), inside_parity(s->m, p, d),
+                         winding_number(s->m, p)};
+    bool due = s->open ? w[2] > 0.5 : inside_parity(s->m, p, vec(0.36, 0.48, 0.8));
+    for (int k = 0; k < 3; k++)
+        image_set(s->sheet, k * (s->side + slice_gap) + x, s->top + y, (w[k] > 0.5) != due
+                  ? vec(0.67, 0.11, 0)
+                  : vmadd(out, vsub(in, out), (real)fmin(fmax(w[k], 0), 1)));
 }
 
 static inline void draw_slices(const options *o, const char *name)
 {
-    static const char *const title[] = {"parity of hits", "parity of crossings", "winding number"};
-    const int side = o->quick ? 16 : 180, gap = 6;
+    static const char *const title[] = {"parity of hits", "parity of crossings", "winding number",
+                                        "parity of hits", "parity of crossings", "winding number"};
+    const int side = o->quick ? 16 : 180, next = side + slice_gap;
     mesh ring = torus_mesh(12), teapot = teapot_mesh(3);
-    mesh_slice s[6];
-    panel p[6];
-    for (int k = 0; k < 6; k++) {
-        s[k] = (mesh_slice){k < 3 ? &ring : &teapot, k % 3, side, k >= 3};
-        p[k] = (panel){title[k % 3], &s[k]};
-    }
-    panels_draw(o, name, false, (panels_shape){3 * side + 2 * gap, 2 * side + gap, 3, 2, gap, 1,
-                                               false}, slice_colour, p);
+    image sheet = label_sheet(3 * next - slice_gap, 2 * next - slice_gap);
+    mesh_slice s[2] = {{&ring, side, 0, false, &sheet}, {&teapot, side, next, true, &sheet}};
+    bool whole = true;
+    for (int k = 0; k < 2 && whole; k++)
+        whole = parallel_pixels(side, side, o->threads, "slices", slice_point, &s[k]);
+    panels_save(o, &sheet, 3, 2, slice_gap, title, name, whole);
     mesh_free(&ring), mesh_free(&teapot);
 }
 
