@@ -2,6 +2,8 @@
  *
  *   implicit_subject u = implicit_subject_of(IMPLICIT_TORUS);    a surface; those up to
  *                                  IMPLICIT_BARTH have a polynomial
+ *   implicit_method_hit(how, &s, r, &h)        implicit_hit by one method, for comparing
+ *   implicit_first_hit(&s, r, steps, &h)       first.h's, on a surface
  *   implicit_shot(&u, seed, how, i, &r)                   ray i; from outside the ball
  *       IMPLICIT_ANYWHERE   at a point of the ball
  *       IMPLICIT_GRAZING    past a point of the surface, at a right angle to the normal there, from
@@ -20,10 +22,19 @@
 
 #include "../../../common/parallel.h"
 #include "../../../common/random.h"
+#include "../first.h"
+#include "../implicit.h"
 #include "../scenes/models.h"
-#include "implicit_methods.h"
 #include "implicit_oracle.h"
 
+typedef enum {
+    IMPLICIT_FIRST, IMPLICIT_NEWTON, IMPLICIT_TRACE, IMPLICIT_INTERVAL, implicit_kinds
+} implicit_kind;
+typedef struct {
+    implicit_kind kind;
+    int steps;   /* first, newton: in the interval; trace: at most; interval: not used */
+    real eps;    /* trace alone: how near is a hit [scene units] */
+} implicit_how;
 typedef enum {
     IMPLICIT_SPHERE, IMPLICIT_TORUS, IMPLICIT_TUBE, IMPLICIT_BARTH, IMPLICIT_GYROID, IMPLICIT_BOX,
     IMPLICIT_BLEND, implicit_names
@@ -35,6 +46,28 @@ typedef enum { IMPLICIT_ANYWHERE, IMPLICIT_GRAZING } implicit_aim;
 typedef struct { double missed, made_up, off, calls; size_t due, unsure; } implicit_survey;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* first.h takes an f without data: this thread's surface is handed to it aside. */
+static _Thread_local const implicit_surface *implicit_asked;
+static inline real implicit_asked_value(vec3 p) { return implicit_value(implicit_asked, p); }
+
+static inline bool implicit_first_hit(const implicit_surface *s, ray r, int steps, hit *out)
+{
+    implicit_asked = s;
+    return implicit_clip(s, &r) && first_implicit_hit(implicit_asked_value, r, steps, out);
+}
+
+static inline bool implicit_method_hit(implicit_how how, const implicit_surface *s, ray r, hit *out)
+{
+    switch (how.kind) {
+    case IMPLICIT_FIRST: return implicit_first_hit(s, r, how.steps, out);
+    case IMPLICIT_NEWTON: return implicit_newton_hit(s, r, how.steps, out);
+    case IMPLICIT_TRACE: return implicit_trace_hit(s, r, how.eps, how.steps, out);
+    case IMPLICIT_INTERVAL: return implicit_search_hit(s, r, out);
+    case implicit_kinds: break;
+    }
+    return false;
+}
 
 /* What the surfaces point to. */
 static const real implicit_radius = 1, implicit_barth_radius = 2;

@@ -27,6 +27,8 @@ static const struct {
     {"spans", csg_hit, 0},
     {"spans, bounds: csg_hit", csg_hit, 0}};
 
+static inline int csg_rounds(const options *o) { return o->quick ? 3 : o->full ? 31 : 9; }
+
 typedef struct { const csg *c; int method; ray *r; size_t n; } csg_timing;
 
 static double csg_time_run(void *context)
@@ -70,17 +72,17 @@ static inline void csg_main_table(const options *o)
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
         x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, m, r, csg_timed};
-    bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : o->full ? 31 : 9, 1e9 / csg_timed, ns);
+    bench_each(csg_time_run, x, sizeof *x, csg_methods, csg_rounds(o), 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error foils [%]|time [ns]");
     parallel_whole(5, o->threads, "rays", csg_survey_sight, &y);
     for (int m = 0; m < csg_methods; m++) {
         const double *wrong = y.wrong[m], percent = 100 / (double)y.n;
-        const double cell[] = {percent * wrong[0], percent * wrong[1],
-                               percent * (wrong[2] + wrong[3]) / 2, percent * wrong[4], ns[m]};
         table_text(&t, "%s", csg_method[m].name);
-        for (int k = 0; k < 5; k++) table_number(&t, cell[k]);
+        table_number(&t, percent * wrong[0]), table_number(&t, percent * wrong[1]);
+        table_number(&t, percent * (wrong[2] + wrong[3]) / 2);
+        table_number(&t, percent * wrong[4]), table_number(&t, ns[m]);
     }
     output_table(o, &t);
     for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
@@ -129,7 +131,7 @@ static inline void csg_savings_table(const options *o)
     }
     c[0].no_bounds = true;
     for (int k = 0; k < 2; k++) x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
-    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : o->full ? 25 : 9, 1e9 / (double)few, ns);
+    bench_each(csg_time_run, x, sizeof *x, 2, csg_rounds(o), 1e9 / (double)few, ns);
     for (int k = 0; k < 2; k++) {
         csg_asked.solids = csg_asked.bounds = 0;
         for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);

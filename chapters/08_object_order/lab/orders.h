@@ -98,8 +98,8 @@ static inline bool orders_explained(hit drawn, const mesh *m, camera c, int x, i
         hit h = hit_none;
         real dx = step * (real)(k % 5 - 2) / 2, dy = step * (real)(k / 5 - 2) / 2;
         ray r = camera_ray(c, (real)x + (real)0.5 + dx, (real)y + (real)0.5 + dy, nx, ny);
-        /* most pass by what was drawn: one triangle to ask, not all */
-        if (drawn.shape != no_shape && !triangle_hit(mesh_triangle(m, drawn.shape), r, &h)) continue;
+        bool may = drawn.shape == no_shape || triangle_hit(mesh_triangle(m, drawn.shape), r, &h);
+        if (!may) continue;  /* most pass by what was drawn: one triangle to ask, not all */
         h = hit_none;
         (void)mesh_hit(m, r, &h);
         if (h.shape == drawn.shape || h.t == drawn.t) return true;
