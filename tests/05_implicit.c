@@ -1,5 +1,5 @@
-/* 05_implicit: the interval search against closed forms, roots in 32 digits, integers; what each
- * method misses; strange functions, strange rays. The oracles: implicit_oracle.h, wide numbers. */
+/* 05_implicit: the interval search against closed forms, Sturm chains, integers; what each method
+ * misses; strange functions, strange rays. The oracles: implicit_oracle.h, wide numbers. */
 #include "../chapters/05_implicit/lab/implicit_trials.h"
 #include "check.h"
 
@@ -289,7 +289,7 @@ static void test_tangents(void)
     check_at_most(worst, 300 * sqrt(DBL_EPSILON) + 4 * eps, "t of a double root");
 }
 
-/* All roots of a line, against the oracle: how many, and each proven. */
+/* All roots of a line, against Sturm: how many, and each proven. */
 static void test_all_roots(void)
 {
     for (int q = IMPLICIT_SPHERE; q <= IMPLICIT_BARTH; q++) {
@@ -312,7 +312,7 @@ static void test_all_roots(void)
             if ((size_t)roots > most) most = (size_t)roots;
         }
         const char *name = implicit_name_of[q];
-        check_equal(wrong, 0, "%s: as many roots as the polynomial has, of %zu rays", name, n);
+        check_equal(wrong, 0, "%s: as many roots as Sturm's chain has, of %zu rays", name, n);
         check_equal(first, 0, "%s: the first one lies in its interval", name);
         check_equal(unproven, 0, "%s: each proven to be single", name);
         check_equal(disorder, 0, "%s: in order, and apart", name);

@@ -1,6 +1,6 @@
 /* 09_aabb with full mantissas and with something in the box: what is hit has its box hit, and how
  * often the converse is wrong; bounding spheres and turned boxes likewise. */
-#include "../chapters/09_aabb/lab/mantissa.h"
+#include "../chapters/09_aabb/lab/exact.h"
 #include "../chapters/09_aabb/lab/slabs.h"
 #include "../chapters/09_aabb/lab/volumes.h"
 #include "../chapters/09_aabb/structure.h"

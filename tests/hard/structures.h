@@ -3,7 +3,6 @@
 #define HARD_STRUCTURES_H
 
 #include "../../chapters/07_mesh/scenes/specimens.h"
-#include "../../chapters/09_aabb/lab/mantissa.h"
 #include "../../chapters/09_aabb/lab/slabs.h"
 #include "../../chapters/10_grid/lab/drift.h"
 #include "../../chapters/11_octree/lab/variants.h"

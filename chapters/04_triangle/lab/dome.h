@@ -59,10 +59,10 @@ static inline triangle_dome dome_new(int width, int height)
     triangle *next = s.tri = allocate(2 * (size_t)s.columns * (size_t)s.rows, sizeof *s.tri);
     for (int j = 0; j < s.rows; j++)
         for (int i = 0; i < s.columns; i++) {
-            vec3 a = dome_corner(&s, i, j), b = dome_corner(&s, i + 1, j);
-            vec3 c = dome_corner(&s, i + 1, j + 1), d = dome_corner(&s, i, j + 1);
-            *next++ = (triangle){a, d, b};
-            *next++ = (triangle){b, d, c};
+            vec3 c[4];
+            for (int k = 0; k < 4; k++) c[k] = dome_corner(&s, i + k % 2, j + k / 2);
+            *next++ = (triangle){c[0], c[2], c[1]};
+            *next++ = (triangle){c[1], c[2], c[3]};
         }
     return s;
 }

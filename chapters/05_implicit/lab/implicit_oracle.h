@@ -7,10 +7,13 @@
  *   if (implicit_oracle(&p, a, b, at, &truth)) ...        roots in [a, b], and the first of them;
  *                                                         false: 32 digits cannot tell
  *
- * Between two neighbouring roots of its derivative a polynomial rises or falls, so it crosses 0 at
- * most once there: two signs tell, and halving finds the place. The derivative's roots are found in
- * the same way, down to a constant. Nothing of this is used by what it judges: no interval, no jet,
- * not f itself. Wide numbers: common/numbers/wide.h.
+ * By a Sturm chain (斯图姆序列): p0 = p, p1 = p', p_{k+1} = -(rest of p_{k-1} / p_k). Between a and
+ * b there are as many roots, each counted once, as changes of sign that the chain at a has more
+ * than the chain at b. Halving isolates the first one. Nothing of this is used by what it judges:
+ * no interval, no jet, not f itself.
+ *
+ * Source: C. Sturm, "Mémoire sur la résolution des équations numériques", 1829; W. Press et al.,
+ * "Numerical Recipes in C", 2nd ed., 1992, section 9.5; wide numbers: common/numbers/wide.h.
  */
 #ifndef IMPLICIT_ORACLE_H
 #define IMPLICIT_ORACLE_H
@@ -20,6 +23,7 @@
 
 enum { implicit_degree = 6 };
 typedef struct { int n; wide c[implicit_degree + 1]; } implicit_poly;  /* c[0] + .. + c[n] x^n */
+typedef struct { int links; implicit_poly p[implicit_degree + 1]; } implicit_chain;
 typedef struct { int roots; double first; } implicit_truth;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -103,31 +107,55 @@ static inline double implicit_poly_size(const implicit_poly *p)
     return most;
 }
 
-/* The places in [-1, 1] where p changes its sign, rising. *sure turns false if p comes so near to 0
- * at an end, or where it turns, that 32 digits cannot tell. */
-static inline int implicit_poly_roots(const implicit_poly *p, double *root, bool *sure)
+/* The rest of a / b, with its sign turned, brought to size 1: only signs count. Its leading terms
+ * that are nothing but rounding are dropped; n = -1: nothing is left. */
+static inline implicit_poly implicit_poly_rest(implicit_poly a, const implicit_poly *b)
 {
-    double at[implicit_degree + 1], noise = 1e-27 * implicit_poly_size(p);
-    implicit_poly slope = {p->n - 1, {{0, 0}}};
-    bool any = true;
-    if (p->n < 1) return 0;
-    for (int i = 0; i < p->n; i++) slope.c[i] = wide_mul(wide_of(i + 1), p->c[i + 1]);
-    int turns = implicit_poly_roots(&slope, at + 1, &any), n = 0;
-    at[0] = -1, at[turns + 1] = 1;
-    for (int k = 0; k <= turns; k++) {
-        double lo = at[k], hi = at[k + 1];
-        wide from = implicit_poly_at(p, lo), to = implicit_poly_at(p, hi);
-        *sure = *sure && fabs(from.hi) > noise && fabs(to.hi) > noise;
-        if (wide_sign(from) * wide_sign(to) >= 0) continue;
-        for (int i = 0; i < 100; i++) {
-            double m = (lo + hi) / 2;
-            if (!(m > lo && m < hi)) break;
-            if (wide_sign(implicit_poly_at(p, m)) == wide_sign(from)) lo = m;
-            else hi = m;
-        }
-        root[n++] = hi;
+    const double noise = 1e-26;
+    double size = implicit_poly_size(&a);
+    for (int i = a.n; i >= b->n; i--) {
+        wide by = wide_div(a.c[i], b->c[b->n]);
+        for (int j = 0; j < b->n; j++)
+            a.c[i - b->n + j] = wide_sub(a.c[i - b->n + j], wide_mul(by, b->c[j]));
+        size = fmax(size, fabs(by.hi) * implicit_poly_size(b));
     }
-    return n;
+    a.n = b->n - 1;
+    while (a.n >= 0 && fabs(a.c[a.n].hi) <= noise * size) a.n--;
+    double most = a.n < 0 ? 1 : implicit_poly_size(&a);
+    for (int i = 0; i <= a.n; i++) a.c[i] = wide_neg(wide_div(a.c[i], wide_of(most)));
+    return a;
+}
+
+/* x scaled so that [-1, 1] is the interval: then no coefficient is large without need. */
+static inline implicit_chain implicit_chain_of(const implicit_poly *p, double half)
+{
+    implicit_chain s = {.links = 2};
+    wide power = wide_of(1);
+    s.p[0] = *p;
+    for (int i = 0; i <= p->n; i++, power = wide_mul(power, wide_of(half)))
+        s.p[0].c[i] = wide_mul(p->c[i], power);
+    while (s.p[0].n > 1 && fabs(s.p[0].c[s.p[0].n].hi) <= 1e-28 * implicit_poly_size(&s.p[0]))
+        s.p[0].n--;
+    s.p[1].n = s.p[0].n - 1;
+    for (int i = 0; i < s.p[0].n; i++)
+        s.p[1].c[i] = wide_mul(wide_of(i + 1), s.p[0].c[i + 1]);
+    while (s.p[s.links - 1].n > 0) {
+        implicit_poly rest = implicit_poly_rest(s.p[s.links - 2], &s.p[s.links - 1]);
+        if (rest.n < 0) break;
+        s.p[s.links++] = rest;
+    }
+    return s;
+}
+
+static inline int implicit_changes(const implicit_chain *s, double x)
+{
+    int changes = 0, last = 0;
+    for (int i = 0; i < s->links; i++) {
+        int sign = wide_sign(implicit_poly_at(&s->p[i], x));
+        if (sign != 0 && last != 0 && sign != last) changes++;
+        if (sign != 0) last = sign;
+    }
+    return changes;
 }
 
 /* Roots in [a, b]; p in powers of t - at, and at in the middle of [a, b] or near it. False: p has,
@@ -135,19 +163,24 @@ static inline int implicit_poly_roots(const implicit_poly *p, double *root, bool
 static inline bool implicit_oracle(const implicit_poly *p, double a, double b, double at,
                                    implicit_truth *out)
 {
-    double half = fmax(fabs(a - at), fabs(b - at)), root[implicit_degree];
-    implicit_poly scaled = *p;  /* to [-1, 1]: then no coefficient is large without need */
-    wide power = wide_of(1);
-    bool sure = true;
-    for (int i = 0; i <= p->n; i++, power = wide_mul(power, wide_of(half)))
-        scaled.c[i] = wide_mul(p->c[i], power);
-    *out = (implicit_truth){0, 0};
-    int n = implicit_poly_roots(&scaled, root, &sure);
-    for (int k = n - 1; k >= 0; k--) {
-        double t = at + half * root[k];
-        if (t >= a && t <= b) *out = (implicit_truth){out->roots + 1, t};
+    double half = fmax(fabs(a - at), fabs(b - at)), lo = (a - at) / half, hi = (b - at) / half;
+    implicit_chain s = implicit_chain_of(p, half);
+    if (s.p[s.links - 1].n > 0) return false;
+    int before = implicit_changes(&s, lo), n = before - implicit_changes(&s, hi);
+    *out = (implicit_truth){n, 0};
+    for (int k = 0; k < 100 && n > 0; k++) {
+        double m = (lo + hi) / 2;
+        if (!(m > lo && m < hi)) break;
+        int sign = wide_sign(implicit_poly_at(&s.p[0], m));
+        /* One is left and its sign is known: halving needs p alone. */
+        bool left = n == 1 && sign != 0 && wide_sign(implicit_poly_at(&s.p[0], lo)) != 0
+                  ? sign != wide_sign(implicit_poly_at(&s.p[0], lo))
+                  : before - implicit_changes(&s, m) > 0;
+        if (left) { if (n > 1) n = before - implicit_changes(&s, m); hi = m; }
+        else lo = m;
     }
-    return sure;
+    out->first = at + half * hi;
+    return true;
 }
 
 #endif

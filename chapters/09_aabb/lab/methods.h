@@ -8,7 +8,6 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "mantissa.h"
 #include "slabs.h"
 #include "volumes.h"
 
@@ -110,7 +109,7 @@ static inline void time_passes(const options *o, int n, const aabb_row *row, dou
 
 /* ---- tables ---- */
 
-/* The kinds of exact.h, and the corner with all digits of mantissa.h. */
+/* The kinds of exact.h, and the corner with all digits. */
 enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds, aabb_late };
 typedef double aabb_losses[aabb_late + 1];  /* per cent; late: of the corners found */
 
