@@ -118,7 +118,7 @@ static void test_volumes(void)
                                       (double)aabb_area(turned_box(&c.turned))};
         double vain[content_kinds];
         check_at_most(area[2], area[1], "shape %d: the turned box is not larger", s);
-        aabb room = content_room(&c);
+        aabb room = c.room;
         double whole = (double)pi * (double)vdot(vsub(room.hi, room.lo), vsub(room.hi, room.lo));
         for (int k = 0; k < content_kinds; k++) {
             size_t hits = 0;

@@ -35,7 +35,7 @@ typedef struct {
     triangle *t;
     size_t n;
     aabb_ball ball;
-    aabb box;
+    aabb box, room;  /* room: round all three; lines are those through the sphere round it */
     aabb_turned turned;
 } aabb_content;
 
@@ -146,6 +146,9 @@ static inline aabb_content content_of(int k)
         c.box = aabb_union(c.box, first_triangle_box(c.t[i]));
     }
     c.ball = ball_round(&c.t->a, 3 * c.n), c.turned = turned_round(&c.t->a, 3 * c.n);
+    const aabb middle = {c.ball.c, c.ball.c}, turned = {c.turned.c, c.turned.c};
+    c.room = aabb_union(c.box, first_aabb_pad(middle, c.ball.r));
+    c.room = aabb_union(c.room, first_aabb_pad(turned, vlength(c.turned.half)));
     icosphere_free(&ball), mesh_free(&pot);
     return c;
 }
@@ -156,20 +159,12 @@ static inline bool content_hit(const aabb_content *c, int kind, ray r, real *t)
     return kind == 1 ? aabb_hit(c->box, r, t) : turned_hit(&c->turned, r, t);
 }
 
-/* A box round all three volumes: lines are drawn from those through the sphere round it. */
-static inline aabb content_room(const aabb_content *c)
-{
-    aabb ball = {c->ball.c, c->ball.c}, turned = {c->turned.c, c->turned.c};
-    aabb room = aabb_union(c->box, first_aabb_pad(ball, c->ball.r));
-    return aabb_union(room, first_aabb_pad(turned, vlength(c->turned.half)));
-}
-
 static inline size_t content_in_vain(const aabb_content *c, uint64_t seed, size_t n,
                                      double vain[content_kinds])
 {
     size_t hits[content_kinds] = {0}, good = 0, lost = 0;
     for (size_t i = 0; i < n; i++) {
-        ray line = line_through(content_room(c), seed, i);
+        ray line = line_through(c->room, seed, i);
         bool in[content_kinds], inside = false;
         real t;
         hit h;
