@@ -102,8 +102,9 @@ static inline void triangle_cell(size_t i, void *context)
     double *cell = all->cell[k];
     if (k > 0 && method[k].hit == method[k - 1].hit) return;  /* it has the cells of that row */
     if (c == 2) { cell[3] = triangle_needles(method[k].hit, 1e-6, few, o->seed).error; return; }
-    /* who never slips gets a million rays */
-    size_t rays = o->quick ? 500 : method[k].hit == triangle_hit ? 1000000 : 4000;
+    /* who never slips gets more rays; with --full a million */
+    size_t many = o->full ? 1000000 : 100000;
+    size_t rays = o->quick ? 500 : method[k].hit == triangle_hit ? many : 4000;
     triangle_slip_count n = slips(&all->m, method[k].hit, c == 0, rays, o->seed);
     cell[c] = 100 * (double)n.slips / (double)rays;
     if (c == 1) cell[2] = (double)n.hits / (double)rays;
