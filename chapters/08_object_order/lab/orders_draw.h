@@ -133,13 +133,14 @@ static inline void orders_draw_shadow(const options *o)
     raster s = raster_new(w, h);
     bool *dark = allocate(n, 1), *wrong = allocate(n, 1), *due = allocate(n, 1);
     raster_mesh(&s, &m, c, raster_default);
-    bool whole = orders_darken((orders_shade){&s, &m, NULL, 0, due}, o->threads);
+    bool whole = true;
     for (int i = 0; i < 4; i++) {
         shadow_map t = shadow_map_new(&m, orders_lamp(), map[i].side, raster_default);
-        if (i) whole &= orders_darken((orders_shade){&s, &m, &t, map[i].bias, dark}, o->threads);
-        for (size_t k = 0; i && k < n; k++) wrong[k] = dark[k] != due[k];
-        orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c,
-                     i ? dark : due, wrong);
+        orders_shade j = {&s, &m, i ? &t : NULL, map[i].bias, i ? dark : due};
+        whole &= orders_darken(j, o->threads);
+        for (size_t k = 0; k < n; k++) wrong[k] = j.dark[k] != due[k];
+        orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c, j.dark,
+                     wrong);
         shadow_map_free(&t);
     }
     panels_save(o, &im, 2, 2, orders_gap, title, "08_object_order_shadow.png", whole);
