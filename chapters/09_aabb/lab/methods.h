@@ -111,14 +111,19 @@ static inline void time_passes(const options *o, int n, const aabb_row *row, dou
 
 /* The kinds of exact.h, and the corner with all digits. */
 enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds, aabb_late };
-typedef double aabb_losses[aabb_late + 1];  /* per cent; late: of the corners found */
+typedef struct {  /* per cent; late: of the corners found */
+    const options *o;
+    double of[aabb_row_count][aabb_late + 1];
+} aabb_losses;
 
-/* n trials of a case. One oracle serves all methods. */
-static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses *out)
+/* The trials of a case: for parallel_whole. One oracle serves all methods. */
+static inline void losses_of_case(size_t kind, void *context)
 {
+    aabb_losses *loss = context;
+    const uint64_t seed = loss->o->seed;
+    const bool full = kind == aabb_digits;
     size_t hits = 0, missed[aabb_row_count] = {0}, late[aabb_row_count] = {0};
-    for (size_t i = 0; i < n; i++) {
-        bool full = kind == aabb_digits;
+    for (size_t i = 0; i < (loss->o->quick ? 4000 : 50000); i++) {
         aabb_trial c = full ? aabb_full_trial_of(TRIAL_CORNER, seed, i)
                             : aabb_trial_of((aabb_trial_kind)kind, seed, i);
         aabb_wide w = full ? wide_aabb(c.b, c.r) : (aabb_wide){.hit = exact_aabb(c.b, c.r).hit};
@@ -130,8 +135,8 @@ static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses
         }
     }
     for (int m = 0; m < aabb_row_count; m++) {
-        out[m][kind] = 100 * (double)missed[m] / (double)hits;
-        out[m][aabb_late] = 100 * (double)late[m] / (double)(hits - missed[m]);
+        loss->of[m][kind] = 100 * (double)missed[m] / (double)hits;
+        if (full) loss->of[m][aabb_late] = 100 * (double)late[m] / (double)(hits - missed[m]);
     }
 }
 
@@ -139,8 +144,8 @@ static inline void measure_methods(const options *o)
 {
     static const int shown[] = {TRIAL_PARALLEL, TRIAL_FLAT, aabb_digits, aabb_late};
     double ns[aabb_row_count];
-    aabb_losses loss[aabb_row_count];
-    for (int k = 0; k < aabb_cases; k++) losses_of_case(k, o->seed, o->quick ? 4000 : 50000, loss);
+    aabb_losses loss = {.o = o};
+    parallel_whole(aabb_cases, o->threads, "rays", losses_of_case, &loss);
     time_passes(o, aabb_row_count, aabb_rows, ns);
     table t = table_new("Boxes that are hit and reported as missed; the time of one test",
                         "method|error plane [%]|error flat [%]|error digits [%]|error late [%]|"
@@ -149,9 +154,9 @@ static inline void measure_methods(const options *o)
                       "time of one test [ns]", "lost [%]", PLOT_LOG_Y);
     for (int m = 0; m < aabb_row_count; m++) {
         double sum = 0;
-        for (int k = 0; k < aabb_cases; k++) sum += loss[m][k] / aabb_cases;
+        for (int k = 0; k < aabb_cases; k++) sum += loss.of[m][k] / aabb_cases;
         table_text(&t, "%s", aabb_rows[m].name);
-        for (int k = 0; k < 4; k++) table_number(&t, loss[m][shown[k]]);
+        for (int k = 0; k < 4; k++) table_number(&t, loss.of[m][shown[k]]);
         table_number(&t, ns[m]);
         plot_add(&q, plot_series(&q, aabb_rows[m].name), ns[m], sum);
     }
