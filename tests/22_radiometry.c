@@ -69,7 +69,7 @@ static void test_floors(void)
         uint32_t *count = allocate(cells, sizeof *count);
         double *o = allocate(cells + 1, sizeof *o), *e = allocate(cells + 1, sizeof *e);
         double counted = 0, expected = 0;
-        floor_photons((floor_light)light, 3, n, count);
+        floor_photons((floor_light)light, 3, 0, n, count);
         for (int k = 0; k < cells; k++) {
             int i = k % floor_cells, j = k / floor_cells;
             double x = (i + 0.5) / floor_cells * 8 - 4, y = (j + 0.5) / floor_cells * 8 - 4;

@@ -46,7 +46,7 @@ int main(int argc, char **argv)
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
     draw_tank(&o);
-    pixel_tree(&o);
+    pixel_explain(&o, NULL);
     draw_wavefronts(&o);
     draw_critical(&o);
     table_of_knobs(&o);

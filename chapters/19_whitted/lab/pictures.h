@@ -13,7 +13,7 @@
 #include "two_spheres.h"
 
 typedef struct {
-    tracer t;              /* as it begins: copied for each pixel */
+    tracer t;              /* as it begins: copied for each ray */
     camera c;
     int across;            /* across^2 rays a pixel */
     image *im;
@@ -23,23 +23,16 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void whitted_pixel(int x, int y, void *context)
+static inline vec3 whitted_colour(const void *context, real x, real y)
 {
-    whitted_view *v = context;
+    whitted_view *v = *(whitted_view *const *)context;
     tracer t = v->t;
-    vec3 sum = {0, 0, 0};
-    int n = v->across;
-    for (int k = 0; k < n * n; k++) {
-        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
-        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
-        ray r = camera_ray(v->c, px, py, v->im->width, v->im->height);
-        vec3 c = whitted_ray(&t, r, (media_set){0});
-        sum = vadd(sum, vmin(c, (vec3){4, 4, 4}));  /* a highlight must not outshout its pixel */
-    }
-    image_set(v->im, x, y, vscale(sum, 1 / (real)(n * n)));
+    ray r = camera_ray(v->c, x, y, v->im->width, v->im->height);
+    vec3 c = whitted_ray(&t, r, (media_set){0});
     pthread_mutex_lock(&v->lock);
     trace_counts_add(&v->counts, &t.counts);
     pthread_mutex_unlock(&v->lock);
+    return vmin(c, (vec3){4, 4, 4});  /* a highlight must not outshout its pixel */
 }
 
 /* Sets v->counts. False: stopped by Ctrl-C. */
@@ -47,7 +40,7 @@ static inline bool whitted_draw(whitted_view *v, int threads)
 {
     v->counts = (trace_counts){0};
     pthread_mutex_init(&v->lock, NULL);
-    bool whole = parallel_pixels(v->im->width, v->im->height, threads, "drawing", whitted_pixel, v);
+    bool whole = pixels_draw(v->im, v->across, threads, "drawing", whitted_colour, &v);
     pthread_mutex_destroy(&v->lock);
     return whole;
 }

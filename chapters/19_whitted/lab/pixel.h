@@ -4,7 +4,7 @@
  *
  *   pixel_explain(&o, "345,140")    of the two spheres: that pixel's middle, columns and rows from
  *                                   0; the drawing goes to build/19_whitted_pixel.svg
- *   pixel_tree(&o)                  the drawing of this chapter's page, 19_whitted_tree.svg
+ *   pixel_explain(&o, NULL)         nothing said; this page's drawing, 19_whitted_tree.svg
  *
  * The walk here is whitted_trace (whitted.h), so that it can speak; that both bring the same light
  * by as many rays is tested each time. What each ray adds is what it finds times its weight: the
@@ -126,40 +126,29 @@ static inline vec3 pixel_visit(tracer *t, const ray_tree *x, whitted_branch *b)
 
 static inline void pixel_explain(const options *o, const char *text)
 {
-    int xy[2];
+    int xy[2] = {345, 140}, w = text ? o->width : 640, h = text ? o->height : 480;
     char room[512];
-    explain_pixel(text, o->width, o->height, xy);
+    if (text) explain_pixel(text, w, h, xy);
     whitted_stage *s = two_spheres_new();
     ray_tree *x = allocate(1, sizeof *x);
     tracer t = stage_tracer(s), again = t;
-    camera c = two_spheres_camera((real)o->width / (real)o->height);
-    ray r = camera_ray(c, (real)xy[0] + (real)0.5, (real)xy[1] + (real)0.5, o->width, o->height);
-    printf("# The rays of pixel %d, %d of %d x %d: two spheres\n", xy[0], xy[1], o->width,
-           o->height);
-    explain_vector(0, "(2.5)", "o =", r.o);
+    ray r = camera_ray(two_spheres_camera((real)w / (real)h), (real)xy[0] + (real)0.5,
+                       (real)xy[1] + (real)0.5, w, h);
     s->w.log = ray_tree_begin(x);
-    whitted_branch eye = whitted_eye(r, (media_set){0});
-    vec3 L = pixel_visit(&t, x, &eye);
-    s->w.log = NULL;
     vec3 due = whitted_ray(&again, r, (media_set){0});
-    if (!vzero(vsub(L, due)) || x->full || memcmp(&t.counts, &again.counts, sizeof t.counts) != 0)
-        die(1, "--pixel: this walk is not that of whitted.h");
-    explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);
-    printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);
-    ray_tree_draw(x, output_path(o, "19_whitted_pixel.svg", true, room));
-    free(x), stage_end(s), free(s);
-}
-
-static inline void pixel_tree(const options *o)
-{
-    char room[512];
-    whitted_stage *s = two_spheres_new();
-    ray_tree *x = allocate(1, sizeof *x);
-    tracer t = stage_tracer(s);
-    s->w.log = ray_tree_begin(x);
-    whitted_ray(&t, camera_ray(two_spheres_camera((real)4 / 3), (real)345.5, (real)140.5, 640, 480),
-                (media_set){0});
-    ray_tree_draw(x, output_path(o, "19_whitted_tree.svg", false, room));
+    if (text) {
+        printf("# The rays of pixel %d, %d of %d x %d: two spheres\n", xy[0], xy[1], w, h);
+        explain_vector(0, "(2.5)", "o =", r.o);
+        whitted_branch eye = whitted_eye(r, (media_set){0});
+        ray_tree_begin(x);
+        vec3 L = pixel_visit(&t, x, &eye);
+        if (!vzero(vsub(L, due)) || x->full || memcmp(&t.counts, &again.counts, sizeof t.counts))
+            die(1, "--pixel: this walk is not that of whitted.h");
+        explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);
+        printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);
+    }
+    ray_tree_draw(x, text ? output_path(o, "19_whitted_pixel.svg", true, room)
+                          : output_path(o, "19_whitted_tree.svg", false, room));
     free(x), stage_end(s), free(s);
 }
 

@@ -10,7 +10,7 @@
 #define WHITTED_LAB_POVRAY_H
 
 #include "../../../common/file.h"
-#include "../scenes/forty.h"
+#include "pictures.h"
 #include <time.h>
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -51,25 +51,19 @@ static inline void povray_write(const whitted_stage *w, FILE *f)
 
 static inline void povray_race(const char *path)
 {
-    enum { width = 480, height = 360 };
     whitted_stage *w = forty_new();
     file_writer out;
     failure f;
     if (!file_begin(&out, path, &f)) fail(f);
     povray_write(w, out.stream);
     if (!file_commit(&out, &f)) fail(f);
-    camera c = forty_camera((real)width / height);
-    tracer t = stage_tracer(w);
-    vec3 sum = {0, 0, 0};
+    image im = image_new(480, 360);
+    whitted_view v = {stage_tracer(w), .c = forty_camera((real)4 / 3), .across = 1, .im = &im};
     clock_t start = clock();
-    for (int k = 0; k < width * height; k++) {
-        real x = (real)(k % width) + (real)0.5, y = (real)(k / width) + (real)0.5;
-        sum = vadd(sum, whitted_ray(&t, camera_ray(c, x, y, width, height), (media_set){0}));
-    }
-    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    printf("forty balls: %zu shadow rays, mean red %.4f, %.4f CPU-seconds\n",
-           t.counts.rays[RAY_SHADOW], (double)sum.x / (width * height), seconds);
-    stage_end(w), free(w);
+    whitted_draw(&v, 1);
+    printf("forty balls: %zu shadow rays, %.4f CPU-seconds\n", v.counts.rays[RAY_SHADOW],
+           (double)(clock() - start) / CLOCKS_PER_SEC);
+    image_free(&im), stage_end(w), free(w);
 }
 
 #endif

@@ -5,8 +5,9 @@
  *   FLOOR_SPOTLIGHT   a point, I = cos^8 of the angle off its axis: E = I cos theta / r^2  (22.7)
  *
  *   floor_exact(light, x, y)                     E [W/m^2] at (x, y, 0), the surface facing up
- *   floor_photons(light, seed, n, count)         n photons (光子) leave the light, from a place and
- *                                                in a direction by chance; where they land counts
+ *   floor_photons(light, seed, first, n, count)  n photons (光子), numbers first, first + 1 .., leave
+ *                                                the light, from a place and in a direction by
+ *                                                chance; where they land counts
  *   floor_flux(light)                            power of all of them [W]: each carries 1/n of it
  *
  * L = 1 W/(m^2 sr), I = 1 W/sr along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
@@ -71,9 +72,10 @@ static inline int floor_cell(real x)
     return at >= 0 && at < floor_cells ? (int)at : -1;
 }
 
-static inline void floor_photons(floor_light light, uint64_t seed, size_t n, uint32_t *count)
+static inline void floor_photons(floor_light light, uint64_t seed, size_t first, size_t n,
+                                 uint32_t *count)
 {
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = first; i < first + n; i++) {
         random_stream s = random_start(seed, 1000 + (uint64_t)light, i);
         vec3 o, d;
         photon_start(light, &s, &o, &d);

@@ -22,12 +22,12 @@ typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { floor_gap = 6, floor_rows = 2 };
+enum { floor_gap = 6, floor_rows = 2, floor_parts = 8 };
 typedef struct {
     int width, height;
     uint64_t seed;
-    size_t photons;       /* of each light */
-    uint32_t count[floor_lights][floor_cells * floor_cells];
+    size_t photons;       /* of each light; each part of them counts for itself */
+    uint32_t count[floor_lights][floor_parts][floor_cells * floor_cells];
 } radiometry_floors;
 
 /* By the logarithm: black at this and below, white at pi, 10 doublings above. */
@@ -37,17 +37,20 @@ static inline vec3 floor_heat(double e)
     return work_colour((real)(e > 0 ? log2(e / (double)pi) / 10 + 1 : 0));
 }
 
-static inline void photon_job(size_t light, void *context)
+static inline void photon_job(size_t i, void *context)
 {
     radiometry_floors *f = context;
-    floor_photons((floor_light)light, f->seed, f->photons, f->count[light]);
+    size_t light = i / floor_parts, part = i % floor_parts, n = f->photons / floor_parts;
+    floor_photons((floor_light)light, f->seed, part * n, n, f->count[light][part]);
 }
 
 /* Under the ball there is no floor, and on black there are no lines. */
 static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, int row, real x,
                                 real y, real px)
 {
-    double counted = f->count[light][floor_cell(y) * floor_cells + floor_cell(x)];
+    double counted = 0;
+    for (int k = 0; k < floor_parts && row; k++)
+        counted += f->count[light][k][floor_cell(y) * floor_cells + floor_cell(x)];
     if (row) return floor_heat(counted / floor_expected(light, 1, (double)f->photons));
     vec3 p = {x, y, 0};
     if (light == FLOOR_SPHERE && vlength(vsub(p, buried.c)) < buried.r) return floor_heat(0);
@@ -76,7 +79,7 @@ static inline void draw_floor(const options *o)
     radiometry_floors *f = allocate(1, sizeof *f);
     f->width = o->width, f->height = o->height, f->seed = o->seed;
     f->photons = o->quick ? 100000 : 3000000;
-    bool whole = parallel_for(floor_lights, o->threads, "photons", photon_job, f)
+    bool whole = parallel_for(floor_lights * floor_parts, o->threads, "photons", photon_job, f)
               && pixels_draw(&im, 1, o->threads, "floor", floor_place, f);
     static const char *const title[floor_rows * floor_lights] = {
         "ball: closed form", "square: closed form", "spotlight: closed form",
@@ -125,22 +128,24 @@ static inline bool view_direction(radiometry_map m, real x, real y, vec3 *w)
     return true;
 }
 
+/* The field of the net of lines, every 10 degrees of elevation and of turn, that w lies in. */
+static inline int view_field(vec3 w)
+{
+    const real step = pi / 18;
+    return 100 * (int)floor(acos(w.z) / step) + (int)floor(atan2(w.y, w.x) / step);
+}
+
 static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
 {
     static const vec3 colour[view_things] = {
         {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05}, {0.05, 0.25, 0.6}, {0.02, 0.4, 0.2}};
-    const real step = pi / 18;  /* lines every 10 degrees of elevation, and of turn */
-    vec3 w, beside[2];
+    vec3 w, right, below;
     if (!view_direction(m, x, y, &w)) return (vec3){1, 1, 1};
-    int k = view_met(w);
+    int k = view_met(w), field = view_field(w);
     vec3 c = k < 0 ? vec(0.85, 0.88, 0.92) : colour[k];
-    if (!view_direction(m, x + px, y, &beside[0]) || !view_direction(m, x, y + px, &beside[1]))
-        return c;
-    for (int i = 0; i < 2; i++)
-        if (floor(acos(w.z) / step) != floor(acos(beside[i].z) / step)
-            || floor(atan2(w.y, w.x) / step) != floor(atan2(beside[i].y, beside[i].x) / step))
-            return vscale(c, 0.72);
-    return c;
+    bool line = view_direction(m, x + px, y, &right) && view_direction(m, x, y + px, &below)
+             && (field != view_field(right) || field != view_field(below));
+    return line ? vscale(c, 0.72) : c;
 }
 
 typedef struct { radiometry_map map; int side; } radiometry_view;
