@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
  *
  * Without options: a showroom with all effects and with none, and the error of pictures against
- * time. With --full also the two failures and their mends, motion, rays spent. */
+ * time. With --full also the two failures and their mends, and motion. */
 #include "../../common/output.h"
 #include "lab/extent_figure.h"
 #include "lab/measure.h"
@@ -11,9 +11,10 @@ int main(int argc, char **argv)
 {
     const char *effects = "all";
     char path[64];
+    bool all = false;
     const option own[] = {
         {"effects", OPTION_TEXT, &effects, 0, 0, "of s (soft) g (gloss) o (occlusion) l (lens)"},
-        {0}};
+        {"spend-all", OPTION_FLAG, &all, 0, 0, "send what cannot contribute, too"}, {0}};
     options o = {.width = 640, .height = 360, .seed = 1, .samples = 8,
                  .quick_width = 160, .quick_height = 90, .quick_samples = 2};
     o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.", o, own);
@@ -31,13 +32,12 @@ int main(int argc, char **argv)
         mkdir("build", 0777);
         o.out = path;
     }
-    draw_showroom(&o, chosen, "21_distributed.png");
+    draw_showroom(&o, chosen, all, "21_distributed.png");
     if (o.out) return output_done(&o);
-    draw_showroom(&o, 0, "21_distributed_whitted.png");
+    draw_showroom(&o, 0, false, "21_distributed_whitted.png");
     draw_extent(&o);
     if (o.full && !getenv("BENCH_ONCE"))  /* bench.h: the tables are all that is asked for */
         draw_teapot(&o), draw_box(&o), draw_motion(&o);
     table_of_pictures(&o);
-    if (o.full) table_of_rays(&o);
     return output_done(&o);
 }

@@ -14,8 +14,8 @@
 #include "../distributed.h"
 
 typedef struct {
-    mesh walls, square;  /* walls and blocks; the light: two meshes with the same vertices */
-    uint8_t part_of[cornell_triangles];
+    mesh m[2];           /* walls and blocks; the light: with the same vertices */
+    uint8_t part_of[2][cornell_triangles];
     world_part part[2];
     trace_world w;
     area_light light;
@@ -27,33 +27,31 @@ typedef struct {
 static inline material box_material(const void *context, trace_hit x, const surface *s)
 {
     const distributed_box *b = context;
-    vec3 ke = s->n.y < 0 ? area_light_radiance(&b->light) : (vec3){0, 0, 0};
-    if (x.part == 1) return (material){.kd = cornell_reflectance[CORNELL_LIGHT], .ke = ke};
-    return (material){.kd = cornell_reflectance[b->part_of[x.h.shape]]};
+    vec3 black = {0, 0, 0}, ke = s->n.y < 0 ? area_light_radiance(&b->light) : black;
+    return (material){.kd = cornell_reflectance[b->part_of[x.part][x.h.shape]],
+                      .ke = x.part == 1 ? ke : black};
 }
 
-/* The triangles of the box that are, or are not, its light. */
-static inline mesh box_mesh(bool shining, uint8_t part_of[cornell_triangles])
+/* The triangles of the box that are not, or are, its light. */
+static inline void box_part(distributed_box *b, int shining)
 {
-    mesh m = cornell_mesh();
+    mesh *m = &b->m[shining];
     size_t n = 0;
-    for (size_t i = 0; i < m.triangles; i++) {
+    *m = cornell_mesh();
+    for (size_t i = 0; i < m->triangles; i++) {
         if ((cornell_of(i) == CORNELL_LIGHT) != shining) continue;
-        memmove(m.index + 3 * n, m.index + 3 * i, 3 * sizeof *m.index);
-        part_of[n++] = (uint8_t)cornell_of(i);
+        memmove(m->index + 3 * n, m->index + 3 * i, 3 * sizeof *m->index);
+        b->part_of[shining][n++] = (uint8_t)cornell_of(i);
     }
-    m.triangles = n;
-    return m;
+    m->triangles = n;
+    world_part_of_mesh(m, shining ? MASK_SEEN : MASK_ALL, &b->part[shining]);
 }
 
 static inline distributed_box *box_new(bool sized, vec3 ambient, real reach)
 {
     distributed_box *b = allocate(1, sizeof *b);
-    uint8_t part_of_light[cornell_triangles];
     vec3 s = cornell_side_s, t = cornell_side_t, normal = vcross(s, t);
-    b->walls = box_mesh(false, b->part_of), b->square = box_mesh(true, part_of_light);
-    world_part_of_mesh(&b->walls, MASK_ALL, &b->part[0]);
-    world_part_of_mesh(&b->square, MASK_SEEN, &b->part[1]);
+    box_part(b, 0), box_part(b, 1);
     b->w = (trace_world){b->part, 2};
     vec3 middle = vmadd(vmadd(cornell_corner, s, 0.5), t, 0.5);
     b->light = (area_light){AREA_RECTANGLE, middle, s, t, vunit(normal), 0,
@@ -66,8 +64,7 @@ static inline distributed_box *box_new(bool sized, vec3 ambient, real reach)
 
 static inline void box_free(distributed_box *b)
 {
-    world_part_free(&b->part[0]), world_part_free(&b->part[1]);
-    mesh_free(&b->walls), mesh_free(&b->square);
+    for (int k = 0; k < 2; k++) world_part_free(&b->part[k]), mesh_free(&b->m[k]);
     free(b);
 }
 

@@ -1,8 +1,7 @@
-/* measure.h: tables and a plot: pictures against converged ones; what was spent.
+/* measure.h: the table and the plot: pictures against converged ones.
  *
- *   table_of_pictures(&o)   the main one: error and time of pictures of soft shadows, of motion and
- *                           of all other effects, by way of sampling; its plot
- *   table_of_rays(&o)       rays and random numbers, only what is called for and all
+ *   table_of_pictures(&o)   error and time of pictures of soft shadows, of motion and of all other
+ *                           effects, by way of sampling; its plot
  */
 #ifndef DISTRIBUTED_MEASURE_H
 #define DISTRIBUTED_MEASURE_H
@@ -16,31 +15,24 @@ enum { measure_methods = 3, measure_levels = 4 };
 static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
                                                               SEQUENCE_SOBOL};
 
-/* ---- pictures -------------------------------------------------------------------------------- */
-
 typedef struct { distributed_view v; image im; } distributed_run;
 typedef struct { double error[measure_methods][measure_levels], seconds[measure_methods]; }
     distributed_study;
 
-/* Ctrl-C: half a picture must not be measured. */
-static inline void measure_unless(bool stopped)
+/* As a screen shows it: white is white. Else a few reflections of lamps would be all the error.
+ * Ctrl-C: half a picture must not be measured. */
+static inline void picture_draw(distributed_view *v, image *im, int threads)
 {
-    if (stopped) die(parallel_stopped(), "stopped");
-}
-
-static inline double picture_seconds(void *context)  /* on one thread */
-{
-    distributed_run *r = context;
-    measure_unless(!distributed_draw(&r->v, &r->im, 1));
-    return (double)r->im.rgb[0];
-}
-
-/* As a screen shows it: white is white. Else a few reflections of lamps would be all the error. */
-static inline void picture_draw(const options *o, distributed_view *v, image *im)
-{
-    measure_unless(!distributed_draw(v, im, o->threads));
+    if (!distributed_draw(v, im, threads)) die(parallel_stopped(), "stopped");
     for (size_t i = 0; i < 3 * (size_t)im->width * (size_t)im->height; i++)
         im->rgb[i] = im->rgb[i] < 1 ? im->rgb[i] : 1;
+}
+
+static inline double picture_seconds(void *context)
+{
+    distributed_run *r = context;
+    picture_draw(&r->v, &r->im, 1);
+    return (double)r->im.rgb[0];
 }
 
 /* The reference has another seed, 8 times as many samples as the best picture, and so an error of
@@ -53,12 +45,12 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
     distributed_study p = {.seconds = {0}};
     distributed_run run[measure_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
-    picture_draw(o, &v, &reference), v.seed = o->seed;
+    picture_draw(&v, &reference, o->threads), v.seed = o->seed;
     for (int m = 0; m < measure_methods; m++) {
         v.kind = measure_method[m];
         for (int l = 0; l < levels; l++) {
             v.samples = (uint32_t)1 << 2 * l;
-            picture_draw(o, &v, &im);
+            picture_draw(&v, &im, o->threads);
             p.error[m][l] = image_compare(&im, &reference).rmse;
         }
         run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
@@ -96,13 +88,12 @@ static inline void table_of_pictures(const options *o)
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int e = 0; e < 3; e++) {
         distributed_study p = picture_measure(o, views[e], levels);
-        const char *name = names[e];
         for (int m = 0; m < measure_methods; m++) {
             const char *method = sequence_name[measure_method[m]];
             char both[64];
-            snprintf(both, sizeof both, "%s, %s", name, method);
+            snprintf(both, sizeof both, "%s, %s", names[e], method);
             int series = plot_series(&time, both);
-            table_text(&t, "%s", name), table_text(&t, "%s", method);
+            table_text(&t, "%s", names[e]), table_text(&t, "%s", method);
             for (int l = 0; l < measure_levels; l++)
                 if (l < levels) {
                     table_number(&t, p.error[m][l]);
@@ -118,39 +109,6 @@ static inline void table_of_pictures(const options *o)
     output_table(o, &t);
     output_plot(o, &time, "21_distributed_time.svg");
     showroom_free(g), pool_free(balls);
-}
-
-/* ---- what is called for ---------------------------------------------------------------------- */
-
-/* Each effect alone, none and all; then all rays sent, whether they can contribute or not. */
-static inline void table_of_rays(const options *o)
-{
-    enum { w = 96, h = 54 };
-    static const struct { const char *name; int effects; } rows[] = {
-        {"Whitted", 0}, {"soft", EFFECT_SOFT}, {"gloss", EFFECT_GLOSSY}, {"occlusion", EFFECT_SKY},
-        {"lens", EFFECT_LENS}, {"all", EFFECT_ALL}};
-    showroom *g = showroom_new(8);
-    image im[2] = {image_new(w, h), image_new(w, h)};
-    table t = table_new("Rays, 96 x 54 pixels, 4 samples each",
-                        "effects|camera|shadow|reflection|sky|pictures differ [pixels]");
-    for (int i = 0; i < 12; i++) {
-        showroom_look k;
-        int all = i % 2, differ = 0;
-        showroom_set(&k, g, rows[i / 2].effects);
-        k.how.spend_all = all;
-        distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)w / h);
-        v.samples = 4;
-        measure_unless(!distributed_draw(&v, &im[all], o->threads));
-        table_text(&t, "%s%s", rows[i / 2].name, all ? ", all the same" : "");
-        const size_t *n = v.spent.rays.rays;
-        table_count(&t, n[RAY_CAMERA]), table_count(&t, n[RAY_SHADOW]);
-        table_count(&t, n[RAY_REFLECTION]), table_count(&t, n[RAY_SIGHT]);
-        for (int p = 0; p < w * h; p++)
-            differ += memcmp(im[0].rgb + 3 * p, im[1].rgb + 3 * p, 3 * sizeof(float)) != 0;
-        table_text(&t, all ? "%d" : "-", differ);
-    }
-    output_extra_table(o, &t);
-    image_free(&im[0]), image_free(&im[1]), showroom_free(g);
 }
 
 #endif

@@ -1,7 +1,8 @@
 /* pictures.h: what Whitted cannot do.
  *
- *   draw_showroom(&o, effects, "21_distributed.png")             the main picture
- *   draw_showroom(&o, 0, "21_distributed_whitted.png")           the same, without any extent
+ *   draw_showroom(&o, effects, all, "21_distributed.png")        the main picture; all: send rays
+ *                                                                that cannot contribute, too
+ *   draw_showroom(&o, 0, false, "21_distributed_whitted.png")    the same, without any extent
  *   draw_teapot(&o)                        as a mirror, and by two lobes
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
  *   draw_motion(&o)                        five balls on a table, two of them moving
@@ -23,12 +24,13 @@ static inline bool draw_view(const options *o, distributed_view *v, int samples,
 }
 
 /* The first is the main picture, which may have other effects. */
-static inline void draw_showroom(const options *o, int effects, const char *name)
+static inline void draw_showroom(const options *o, int effects, bool all, const char *name)
 {
     bool main_one = strcmp(name, "21_distributed.png") == 0;
     showroom *g = showroom_new(o->quick ? 5 : 16);
     showroom_look k;
     showroom_set(&k, g, effects);
+    k.how.spend_all = all;
     distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
     image im = image_new(o->width, o->height);
     double start = clock_seconds();
