@@ -36,10 +36,8 @@ typedef struct {
 typedef struct {
     const char *name;
     ray (*leave)(surface, vec3);
-    bool naive;         /* p = o + t d */
-    bool first;         /* and all tests are those of the short book */
+    bool naive, first;  /* p = o + t d; and all tests are those of the short book */
 } leaving;
-
 enum { leavings = 6 };
 
 /* ---------------------------------------------------------------------------------------------- */

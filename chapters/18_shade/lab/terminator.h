@@ -6,17 +6,14 @@
  *     ----\--p------           triangle meet its neighbours: the edge of light becomes a staircase.
  *
  *   how.surface_of = terminator_surface;    for a `shading`: p lifted to where the round surface
- *                                           would be, and ns asked alone: J. Hanika's way
- *   real k = terminator_fade(n, ns, l)      [0, 1]: a factor for E that goes to 0 smoothly before
- *                                           n.l does: M. Chiang's way; ns.l > 0
+ *                                           would be, and ns asked alone
  *
  * Lifted: each corner has a plane at right angles to its normal. p, put on each of the three and
  * weighted as p is, lies on or above the triangle: about where a patch would, if it bulges; a
  * hollow one is left as it is. Shadow rays then begin above the triangle and its neighbours.
  * It is a guess of the surface; the hit itself, and what other rays see, stay flat.
  *
- * Sources: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, ch. 4; M. Chiang,
- * Y. Li, B. Burley, "Taming the Shadow Terminator", SIGGRAPH Talks 2019.
+ * Source: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, ch. 4.
  */
 #ifndef SHADE_TERMINATOR_H
 #define SHADE_TERMINATOR_H
@@ -24,13 +21,6 @@
 #include "../shade.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* p put on the plane of a corner v with normal n, if it is below it. */
-static inline vec3 terminator_on_plane(vec3 p, vec3 v, vec3 n)
-{
-    real below = real_min(0, vdot(vsub(p, v), n));
-    return vmadd(p, n, -below);
-}
 
 /* side: 1, or -1 where the mesh is seen from inside: then it bulges the other way. */
 static inline vec3 terminator_point(const mesh *m, hit h, vec3 p, real side)
@@ -40,7 +30,8 @@ static inline vec3 terminator_point(const mesh *m, hit h, vec3 p, real side)
     vec3 sum = {0, 0, 0};
     for (int k = 0; k < 3; k++) {
         vec3 n = vscale(vunit(mesh_corner_normal(m, h.shape, k)), side);
-        sum = vmadd(sum, terminator_on_plane(p, m->v[c[k]], n), weight[k]);
+        real below = real_min(0, vdot(vsub(p, m->v[c[k]]), n));
+        sum = vmadd(sum, vmadd(p, n, -below), weight[k]);
     }
     return sum;
 }
@@ -57,14 +48,6 @@ static inline surface terminator_surface(const tracer *t, ray r, trace_hit x)
     s.p = terminator_point(m, x.h, s.p, side);
     s.n = s.ns, s.error /= tilt, s.noise /= tilt;
     return s;
-}
-
-/* G = n.l / (ns.l n.ns), at most 1: a cubic that meets 1 flat and leaves 0 with slope 1. */
-static inline real terminator_fade(vec3 n, vec3 ns, vec3 l)
-{
-    real G = vdot(n, l) / (vdot(ns, l) * vdot(n, ns));
-    if (!(G > 0)) return 0;
-    return G < 1 ? G * (1 + G * (1 - G)) : 1;
 }
 
 #endif

@@ -1,5 +1,4 @@
-/* pixel.h: one pixel's ray, and all that comes of it: hits and how far they may be off, Fresnel's
- * shares, shadow rays, what each ray adds to the pixel. In words, lines with the number of their
+/* pixel.h: one pixel's ray, and all that comes of it, in words, lines with the number of their
  * equation, and drawn as a tree.
  *
  *   pixel_explain(&o, "345,140")    of the two spheres: that pixel's middle, columns and rows from
@@ -7,8 +6,7 @@
  *   pixel_explain(&o, NULL)         nothing said; this page's drawing, 19_whitted_tree.svg
  *
  * The walk here is whitted_trace (whitted.h), so that it can speak; that both bring the same light
- * by as many rays is tested each time. What each ray adds is what it finds times its weight: the
- * sum of all lines "it adds" is the pixel.
+ * by as many rays is tested each time. The sum of all lines "it adds" is the pixel.
  */
 #ifndef WHITTED_LAB_PIXEL_H
 #define WHITTED_LAB_PIXEL_H

@@ -5,10 +5,6 @@
  *   whitted_ray(&tracer, r, in)
  *   ray_tree_draw(x, path)                  an SVG, NULL: none; depth downwards; width and number
  *                                           of a line: weight
- *
- *   camera 1 ---.                           from  number of the ray before it, -1: the eye
- *     reflection 2                          t     where it ended; infinity: in the sky
- *     refraction 2                          lit   of a shadow ray: part of the light that arrives
  */
 #ifndef WHITTED_LAB_RAY_TREE_H
 #define WHITTED_LAB_RAY_TREE_H
@@ -20,8 +16,8 @@ enum { ray_tree_most = 4096 };
 
 typedef struct {
     ray_kind kind;
-    int from, depth;
-    real t, weight, lit;   /* weight: largest component */
+    int from, depth;       /* number of the ray before it, -1: the eye */
+    real t, weight, lit;   /* infinity: in the sky; largest component; of a shadow ray: arrives */
 } ray_tree_node;
 
 typedef struct {

@@ -4,10 +4,9 @@
  *   smooth   e^(x+y)                       integral (e - 1)^2
  *   edge     1 if x^2 + y^2 < 1, else 0    integral pi / 4: as a pixel that a silhouette crosses
  *
- *   integrand_errors(kind, ...)    of the mean of N samples, by a method of sampler.h
- *   first_errors(...)              the notes' way, first.h: one stream, sums of reals
- *
- *   Exact standard deviations of the mean of N samples:
+ *   integrand_errors(kind, ...)  of the mean of N samples, by a method of sampler.h
+ *   first_errors(...)            the notes' way, first.h: one stream, sums of reals
+ *                                Exact standard deviations of the mean of N samples:
  *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.6)
  *   deviation_jittered(f, k)     N = k x k cells, one sample each:
  *                                sqrt(sum over the cells of V[f in the cell]) / N           (20.8)

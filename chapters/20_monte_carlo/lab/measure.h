@@ -1,12 +1,11 @@
 /* measure.h: tables and plots: errors against N and time; many pdfs.
  *
- *   measure_methods(&o)    error and time of five ways to integrate; with --full a plot against
- *                          time
+ *   measure_methods(&o)    error and time of five ways to integrate; with --full their plot
  *   measure_importance(&o) one integral, many pdfs: variance, and how often the interval that the
  *                          samples themselves report holds the truth
  *
- *   convergence *c = convergence_measure(from, levels, runs, seed, threads);  all methods, the
- *                                        levels from `from` to levels - 1; free(c)
+ *   convergence *c = convergence_measure(from, levels, runs, seed, threads);  levels from `from` to
+ *                                        levels - 1; free(c)
  *   convergence_rms(c, method, f, level) root of the mean square error of the runs, N = 16 4^level
  *
  * A method is a sequence_kind, or CONVERGENCE_FIRST, the notes' own way. Each run is an estimate

@@ -3,8 +3,7 @@
  *   measure_hard(o)   a table: the largest relative error in 256 inputs, ns of one
  *
  * hard_fill makes random inputs of a case of hard_list; hard_error is the largest error in them,
- * against 32 digits (oracle.h), of the naive form (first.h's of a sphere's solid angle, otherwise
- * the one that is called so) or of the default.
+ * against 32 digits (oracle.h), of the naive form or of the default.
  */
 #ifndef RADIOMETRY_MEASURE_HARD_H
 #define RADIOMETRY_MEASURE_HARD_H
@@ -20,12 +19,8 @@ typedef enum {
     HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E
 } radiometry_hard;
 typedef enum { SHAPE_ANY, SHAPE_GRAZING, SHAPE_TOUCHING } radiometry_shape;
-typedef struct {
-    radiometry_hard kind;
-    const char *input;
-    double size;
-    radiometry_shape shape;
-} radiometry_hard_case;
+typedef struct { radiometry_hard kind; const char *input; double size; radiometry_shape shape; }
+    radiometry_hard_case;
 typedef struct { radiometry_hard kind; sphere s; triangle t; vec3 v[4]; } radiometry_hard_input;
 typedef struct { radiometry_hard_input in[hard_inputs]; bool naive; } radiometry_hard_run;
 
