@@ -11,19 +11,12 @@
 #define MONTE_CARLO_DOME_PICTURE_H
 
 #include "../../03_sphere/first.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/output.h"
-#include "../../../common/parallel.h"
+#include "../../../common/lab/panels.h"
 #include "../sampler.h"
 #include "../first.h"
 
-enum { dome_wide = 400, dome_high = 300, dome_gap = 6, dome_panels = 3, dome_samples = 16 };
-enum { dome_share = dome_wide + dome_gap };
-typedef struct {
-    image *im;
-    uint64_t seed;
-    double squares[dome_panels][dome_high], seen[dome_panels][dome_high];  /* of errors, a row */
-} dome_job;
+enum { dome_wide = 400, dome_high = 300, dome_gap = 6, dome_ways = 3, dome_samples = 16 };
+typedef struct { uint64_t seed; int way; double *square; } dome_job;  /* errors'; -1: sky */
 typedef struct { vec3 p, n; bool ball, sky; } dome_place;
 static const sphere dome_ball = {{0, 0, 1}, 1};
 
@@ -52,55 +45,53 @@ static inline double dome_truth(dome_place at)
 }
 
 /* One direction: f / p = cos theta / p over pi, if it meets the sky. */
-static inline double dome_sample(int panel, dome_place at, point2 q)
+static inline double dome_sample(int way, dome_place at, point2 q)
 {
-    vec3 w = panel == 0 ? first_uniform_direction(q.u, q.v) : first_cosine_direction(q.u, q.v);
+    vec3 w = way == 0 ? first_uniform_direction(q.u, q.v) : first_cosine_direction(q.u, q.v);
     vec3 d = directed(at.n, w);
     hit h;
     if (at.ball ? d.z < 0 : first_sphere_hit(dome_ball, ray_from(at.p, d), &h)) return 0;
-    return panel == 0 ? 2 * (double)w.z : 1;
+    return way == 0 ? 2 * (double)w.z : 1;
 }
 
-static inline void dome_row(size_t y, void *context)
+static inline vec3 dome_colour(const void *context, real px, real py)
 {
-    dome_job *job = context;
-    for (int x = 0; x < job->im->width; x++) {
-        int panel = x / dome_share, i = x % dome_share;
-        if (i >= dome_wide) continue;
-        dome_place at = dome_seen(i, (int)y);
-        double sum = 0;
-        if (at.sky) image_set(job->im, x, (int)y, vec(0.75, 0.87, 1));
-        if (at.sky) continue;
-        for (uint32_t k = 0; k < dome_samples; k++) {
-            sampler s = sampler_start(panel == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
-                                      y * dome_wide + (uint64_t)i, k, dome_samples);
-            sum += dome_sample(panel, at, sampler_pair(&s)) / dome_samples;
-        }
-        job->squares[panel][y] += pow(sum - dome_truth(at), 2), job->seen[panel][y]++;
-        vec3 colour = at.ball ? vec(0.85, 0.3, 0.02) : vec(0.8, 0.76, 0.68);
-        image_set(job->im, x, (int)y, vscale(colour, (real)fmin(sum, 1.25)));
+    const dome_job *job = context;
+    int x = (int)px, y = (int)py;
+    dome_place at = dome_seen(x, y);
+    double sum = 0, *square = &job->square[y * dome_wide + x];
+    *square = -1;
+    if (at.sky) return vec(0.75, 0.87, 1);
+    for (uint32_t k = 0; k < dome_samples; k++) {
+        sampler s = sampler_start(job->way == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
+                                  (uint64_t)(y * dome_wide + x), k, dome_samples);
+        sum += dome_sample(job->way, at, sampler_pair(&s)) / dome_samples;
     }
+    *square = pow(sum - dome_truth(at), 2);
+    vec3 colour = at.ball ? vec(0.85, 0.3, 0.02) : vec(0.8, 0.76, 0.68);
+    return vscale(colour, (real)fmin(sum, 1.25));
 }
 
 static inline void draw_dome(const options *o)
 {
-    static const char *const name[dome_panels] = {"uniform", "cosine", "cosine, Sobol'"};
-    char text[dome_panels][64];
-    const char *title[dome_panels];
+    static const char *const name[dome_ways] = {"uniform", "cosine", "cosine, Sobol'"};
+    char text[dome_ways][64] = {""};
+    const char *title[dome_ways] = {text[0], text[1], text[2]};
     if (o->out) return;
-    image im = image_new(dome_panels * dome_share - dome_gap, dome_high);
-    dome_job job = {.im = &im, .seed = o->seed};
-    bool whole = parallel_for(dome_high, o->threads, "sky", dome_row, &job);
-    for (int k = 0; k < dome_panels; k++) {
-        double squares = 0, n = 0;
-        for (int y = 0; y < dome_high; y++) squares += job.squares[k][y], n += job.seen[k][y];
-        snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k],
-                 sqrt(squares / n));
-        title[k] = text[k];
+    image sheet = {0}, one = image_new(dome_wide, dome_high);
+    dome_job job = {o->seed, 0, allocate(dome_wide * dome_high, sizeof *job.square)};
+    bool whole = true;
+    for (int k = 0; k < dome_ways && whole; k++) {
+        double sum = 0, n = 0;
+        job.way = k;
+        whole = pixels_draw(&one, 1, o->threads, "sky", dome_colour, &job);
+        for (int i = 0; i < dome_wide * dome_high; i++)
+            if (job.square[i] >= 0) sum += job.square[i], n++;
+        snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k], sqrt(sum / n));
+        label_panel(&sheet, dome_ways, 1, dome_gap, k, &one);
     }
-    label_titles(&im, dome_panels, 1, dome_gap, title);
-    output_picture(o, &im, "20_monte_carlo_sky.png", false, whole);
-    image_free(&im);
+    panels_save(o, &sheet, dome_ways, 1, dome_gap, title, "20_monte_carlo_sky.png", whole);
+    image_free(&one), free(job.square);
 }
 
 #endif
