@@ -42,14 +42,6 @@ enum { leavings = 6 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* p is where the ray says, and nobody knows how far that is from the surface. At 1e4 from the
- * origin in float: 1e-3. */
-static inline surface surface_naive(const shape *s, ray r, hit h)
-{
-    vec3 p = ray_at(r, h.t), n = shape_normal(*s, h, p);
-    return (surface){p, n, n, 0, 0, h.shape};
-}
-
 static const leaving ways[leavings] = {
     {"first", leave_first, true, true},           {"scaled eps in t", leave_scaled, true, false},
     {"scaled eps along n", leave_normal, true, false}, {"ulps", leave_ulps, false, false},
@@ -103,6 +95,27 @@ static inline bool departure_hit(const shape *s, ray r, bool first, hit *out)
     return shape_hit(*s, r, out);
 }
 
+/* naive: p is where the ray says, and nobody knows how far that is from the surface. At 1e4 from
+ * the origin in float: 1e-3. */
+static inline surface departure_at(const departure *x, hit h, bool naive)
+{
+    if (!naive) return surface_of_shape(&x->s, x->r, h);
+    vec3 p = ray_at(x->r, h.t), n = shape_normal(x->s, h, p);
+    return (surface){p, n, n, 0, 0, h.shape};
+}
+
+static inline surface departure_surface(const departure *x, bool naive)
+{
+    return surface_facing(departure_at(x, x->h, naive), x->r.d);
+}
+
+/* The way out along w. */
+static inline ray departure_ray(const departure *x, leaving way, vec3 w)
+{
+    surface s = departure_at(x, way.first ? x->first : x->h, way.naive);
+    return way.leave(surface_facing(s, x->r.d), w);
+}
+
 static inline void departure_make(departure *x, departure_kind kind, real size, real T,
                                   uint64_t seed, uint64_t i)
 {
@@ -118,7 +131,7 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         if (!shape_hit(x->s, x->r, &x->h)) continue;
         if (!departure_hit(&x->s, x->r, true, &x->first)) x->first = x->h;
         x->kind = kind, x->size = size, x->T = T, x->at = random_mix(i + sample);
-        surface at = surface_of_shape(&x->s, x->r, x->h);
+        surface at = departure_at(x, x->h, false);
         x->n = surface_facing(at, x->r.d).n;
         bool round = kind == DEPART_SPHERE || kind == DEPART_CONE;
         if (round && vdot(x->n, at.n) < 0) continue;  /* from inside w meets the other wall */
@@ -128,19 +141,6 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         x->steep = departure_towards(x->n, (real)0.1 + (real)0.9 * random_next(&s), &s);
         return;
     }
-}
-
-static inline surface departure_surface(const departure *x, bool naive)
-{
-    surface s = naive ? surface_naive(&x->s, x->r, x->h) : surface_of_shape(&x->s, x->r, x->h);
-    return surface_facing(s, x->r.d);
-}
-
-/* The way out along w. */
-static inline ray departure_ray(const departure *x, leaving way, vec3 w)
-{
-    if (!way.first) return way.leave(departure_surface(x, way.naive), w);
-    return way.leave(surface_facing(surface_naive(&x->s, x->r, x->first), x->r.d), w);
 }
 
 static inline bool departure_self(const departure *x, leaving way)
