@@ -55,8 +55,10 @@ static const double gallery_corners[8][3] = {
     {-40, -40, 0}, {40, -40, 0}, {40, 40, 0}, {-40, 40, 0},
     {2.0, -4.1, 0}, {4.2, -3.3, 0}, {3.9, -2.5, 1.5}, {1.7, -3.3, 1.5}};
 
-static inline void gallery_fill(gallery *g)
+static inline gallery *gallery_new(int n, real T)
 {
+    gallery *g = allocate(1, sizeof *g);
+    g->T = (vec3){T, T, T};
     for (int k = 0; k < 8; k++) {
         const double *c = gallery_corners[k];
         g->corner[k] = gallery_at(g, c[0], c[1], c[2]);
@@ -72,13 +74,6 @@ static inline void gallery_fill(gallery *g)
     g->bulb = shape_of_sphere((sphere){gallery_at(g, -4.4, -1.6, 4.1), 0.16});
     g->lights[0] = (light){LIGHT_DIRECTIONAL, vunit(vec(0.55, -0.5, 0.62)), {2.1, 1.95, 1.7}};
     g->lights[1] = (light){LIGHT_POINT, g->bulb.sphere.c, {13, 15, 19}};
-}
-
-static inline gallery *gallery_new(int n, real T)
-{
-    gallery *g = allocate(1, sizeof *g);
-    g->T = (vec3){T, T, T};
-    gallery_fill(g);
     g->pot = teapot_mesh(n);
     for (size_t i = 0; i < g->pot.vertices; i++) g->pot.v[i] = vadd(g->T, g->pot.v[i]);
     g->s = (scene){g->shapes, gallery_shapes}, g->lamp = (scene){&g->bulb, 1};

@@ -15,38 +15,36 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void povray_ball(FILE *f, const whitted_stage *w, int k)
-{
-    sphere s = w->shape[k].sphere;
-    vec3 kd = w->look[k].base.kd;
-    fprintf(f, "sphere{<%.9g,%.9g,%.9g>,%.9g ", (double)s.c.x, (double)s.c.y, (double)s.c.z,
-            (double)s.r);
-    if (k == 0) fprintf(f, "pigment{checker rgb .3 rgb .8} finish{diffuse 1 ambient .1}}\n");
-    else if (k % 3 == 1)
-        fprintf(f, "pigment{rgb 0} finish{diffuse 0 ambient 0 reflection{.9}}}\n");
-    else if (k % 3 == 2)
-        fprintf(f, "pigment{rgbt 1} finish{diffuse 0 ambient 0 reflection{0,1 fresnel on} "
-                   "conserve_energy} interior{ior 1.5} no_shadow}\n");
-    else
-        fprintf(f, "pigment{rgb<%.9g,%.9g,%.9g>} finish{diffuse 1 ambient .1}}\n", (double)kd.x,
-                (double)kd.y, (double)kd.z);
-}
+/* Of the ground; then by turns mirror, glass, paint. */
+static const char *const povray_look[] = {
+    "pigment{checker rgb .3 rgb .8} finish{diffuse 1 ambient .1}}\n",
+    "pigment{rgb 0} finish{diffuse 0 ambient 0 reflection{.9}}}\n",
+    "pigment{rgbt 1} finish{diffuse 0 ambient 0 reflection{0,1 fresnel on} conserve_energy} "
+    "interior{ior 1.5} no_shadow}\n"};
 
 /* The field of view is ours from top to bottom, theirs from left to right. */
 static inline void povray_write(const whitted_stage *w, FILE *f)
 {
-    const double half = 15.5 * 3.14159265358979 / 180;
+    const double unit = 3.14159265358979 / 180, half = atan(tan(15.5 * unit) * 4 / 3);
     fprintf(f, "#version 3.7; "
                "global_settings{assumed_gamma 1 max_trace_level 8 adc_bailout 1/256}\n"
                "background{rgb<.35,.55,.85>}\n"
                "camera{location<0,-11,4.5> up z right -4/3*x sky z angle %.9g look_at<0,.4,.9>}\n",
-            2 * atan(tan(half) * 4 / 3) * 180 / 3.14159265358979);
+            2 * half / unit);
     for (int k = 0; k < 3; k++) {
         vec3 at = w->light[k].at;
         fprintf(f, "light_source{<%.9g,%.9g,%.9g>*1e6 rgb %.9g/pi parallel point_at 0}\n",
                 (double)at.x, (double)at.y, (double)at.z, (double)w->light[k].colour.x);
     }
-    for (int k = 0; k < forty_balls; k++) povray_ball(f, w, k);
+    for (int k = 0; k < forty_balls; k++) {
+        sphere s = w->shape[k].sphere;
+        vec3 kd = w->look[k].base.kd;
+        fprintf(f, "sphere{<%.9g,%.9g,%.9g>,%.9g ", (double)s.c.x, (double)s.c.y, (double)s.c.z,
+                (double)s.r);
+        if (k % 3 || k == 0) fputs(povray_look[k % 3], f);
+        else fprintf(f, "pigment{rgb<%.9g,%.9g,%.9g>} finish{diffuse 1 ambient .1}}\n",
+                     (double)kd.x, (double)kd.y, (double)kd.z);
+    }
 }
 
 static inline void povray_race(const char *path)

@@ -13,7 +13,6 @@
  *
  *   importance_weight(n, z), importance_weight_mixed(n, a, z)      z = cos theta in (0, 1]
  *   importance_run(n, a, seed, run, N)     N samples; a = 0: the lobe alone
- *   importance_run_cone(angle, seed, run, N)  p = 0 where f > 0: converges, to the wrong number
  *
  * Sources: H. Kahn, A. Marshall, "Methods of reducing sample size in Monte Carlo computations",
  * Operations Research 1, 1953; T. Hesterberg, "Weighted average importance sampling and defensive
@@ -60,19 +59,6 @@ static inline estimate importance_run(real n, real a, uint64_t seed, uint64_t ru
         bool cosine = a > 0 && random_next(&s) < a;
         real z = sample_lobe(cosine ? 1 : n, u, v).z;
         e = estimate_add(e, importance_weight_mixed(n, a, z));
-    }
-    return e;
-}
-
-static inline estimate importance_run_cone(real angle, uint64_t seed, uint64_t run, size_t samples)
-{
-    estimate e = {0};
-    direction_cone c = cone_of_angle(angle);
-    for (size_t i = 0; i < samples; i++) {
-        random_stream s = random_start(seed, run, i);
-        real u = random_next(&s), v = random_next(&s);
-        vec3 w = sample_cone(c, u, v);
-        e = estimate_add(e, (double)w.z / (double)pdf_cone(c, w));
     }
     return e;
 }

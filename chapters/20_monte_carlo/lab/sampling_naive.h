@@ -12,7 +12,6 @@
  *
  *   choice_sample_naive        the sum may round to less than 1, and u be above: n, no such thing
  *   radical_inverse_naive      a rounding a digit; and in float it may return 1
- *   sample_triangle_root       right, but with a root, and it stretches more
  */
 #ifndef MONTE_CARLO_SAMPLING_NAIVE_H
 #define MONTE_CARLO_SAMPLING_NAIVE_H
@@ -78,13 +77,6 @@ static inline real radical_inverse_naive(uint32_t base, uint32_t i)
     real sum = 0, part = 1 / (real)base, digit = part;
     for (; i > 0; i /= base, digit *= part) sum += (real)(i % base) * digit;
     return sum;
-}
-
-/* The part of the triangle beyond b0 has the area (1 - b0)^2 of it = u; then along the parallel. */
-static inline vec3 sample_triangle_root(real u, real v)
-{
-    real s = sqrt(u);
-    return (vec3){1 - s, s * (1 - v), s * v};
 }
 
 #endif

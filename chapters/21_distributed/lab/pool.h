@@ -70,8 +70,9 @@ static inline material pool_material(const void *context, trace_hit x, const sur
                                 ? area_light_radiance(&g->light[lamp]) : (vec3){0, 0, 0}};
 }
 
-static inline void pool_fill(pool *g)
+static inline pool *pool_new(double moves)
 {
+    pool *g = allocate(1, sizeof *g);
     const double f = 40;
     for (int k = 0; k < 4; k++)
         g->corner[k] = vec(k == 0 || k == 3 ? -f : f, k < 2 ? -f : f, 0);
@@ -83,13 +84,7 @@ static inline void pool_fill(pool *g)
     g->light[1] = showroom_softbox(vec(6, 6, 9), middle, 2.5, vec(70, 80, 105), g->corner + 8);
     for (int k = 0; k < 2; k++)
         g->lamps[k] = shape_of_polygon(polygon_of(g->corner + 4 + 4 * k, 4));
-}
-
-static inline pool *pool_new(double moves)
-{
-    pool *g = allocate(1, sizeof *g);
     vec3 dusk = {(real)0.16, (real)0.13, (real)0.12};
-    pool_fill(g);
     g->table = (scene){g->cloth, 1}, g->lit = (scene){g->lamps, 2};
     g->rest = (scene){g->ball, pool_rest};
     world_part_of_scene(&g->table, MASK_ALL, &g->part[0]);

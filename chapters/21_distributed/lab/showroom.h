@@ -59,8 +59,9 @@ static inline area_light showroom_softbox(vec3 at, vec3 to, real side, vec3 colo
     return (area_light){AREA_RECTANGLE, at, a, b, n, 0, colour};
 }
 
-static inline void showroom_fill(showroom *g)
+static inline showroom *showroom_new(int n)
 {
+    showroom *g = allocate(1, sizeof *g);
     const double f = 60;
     g->corner[0] = vec(-f, -f, 0), g->corner[1] = vec(f, -f, 0);
     g->corner[2] = vec(f, f, 0), g->corner[3] = vec(-f, f, 0);
@@ -76,12 +77,6 @@ static inline void showroom_fill(showroom *g)
     g->light[1] = (area_light){AREA_BALL, lamp, .r = 1.4, .colour = vec(24, 31, 44)};
     g->lamps[0] = shape_of_polygon(polygon_of(g->corner + 4, 4));
     g->lamps[1] = shape_of_sphere((sphere){lamp, g->light[1].r});
-}
-
-static inline showroom *showroom_new(int n)
-{
-    showroom *g = allocate(1, sizeof *g);
-    showroom_fill(g);
     g->pot = teapot_mesh(n);
     g->s = (scene){g->shapes, showroom_shapes}, g->lit = (scene){g->lamps, 2};
     world_part_of_scene(&g->s, MASK_ALL, &g->part[0]);
