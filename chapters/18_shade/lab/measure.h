@@ -85,17 +85,15 @@ static inline void table_of_needles(const options *o)
     size_t n = o->quick ? 1000 : 100000;
     table t = table_new("Needles, 1e5 of each: rays that meet the one they leave",
                         "method|error: acne T=0|error: acne T=1|error: acne T=100");
-    for (int k = leavings - 2; k < leavings; k++) {
-        table_text(&t, "%s", ways[k].name);
-        for (int e = 0; e < 3; e++) {
-            size_t self = 0;
-            for (size_t i = 0; i < n; i++) {
-                departure x;
-                departure_make(&x, DEPART_NEEDLE, 1, far[e], o->seed, i);
-                self += departure_self(&x, ways[k]);
-            }
-            table_count(&t, self);
-        }
+    size_t self[2][3] = {{0}};
+    for (size_t i = 0; i < 3 * n; i++) {
+        departure x;
+        departure_make(&x, DEPART_NEEDLE, 1, far[i / n], o->seed, i % n);
+        for (int k = 0; k < 2; k++) self[k][i / n] += departure_self(&x, ways[leavings - 2 + k]);
+    }
+    for (int k = 0; k < 2; k++) {
+        table_text(&t, "%s", ways[leavings - 2 + k].name);
+        for (int e = 0; e < 3; e++) table_count(&t, self[k][e]);
     }
     output_extra_table(o, &t);
 }

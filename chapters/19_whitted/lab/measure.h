@@ -34,16 +34,6 @@ static const struct { int depth; double least; } knobs[] = {
     {1, 0},    {2, 0},    {3, 0},     {4, 0},     {5, 0},      {6, 0},      {8, 0},
     {12, 0},   {64, 0.5}, {64, 0.1},  {64, 0.03}, {64, 0.01},  {64, 0.001}, {64, 0.0001}};
 
-static inline void knob_row(table *t, const whitted_view *v, size_t k, double ns,
-                            image_difference d)
-{
-    table_text(t, knobs[k].least > 0 ? "cut" : "depth");
-    table_count(t, (size_t)knobs[k].depth), table_number(t, knobs[k].least);
-    for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++)
-        table_number(t, (double)v->counts.rays[i] / (v->im->width * v->im->height));
-    table_number(t, d.rmse), table_number(t, d.maximum), table_number(t, ns);
-}
-
 /* Against depth 64 and a cut of 1e-10: what that leaves out does not show in a picture of floats,
  * and without any cut depth 64 takes more than a hundred times as long. */
 static inline void table_of_knobs(const options *o)
@@ -58,8 +48,7 @@ static inline void table_of_knobs(const options *o)
                         "time [ns/pixel]");
     plot p = plot_new("What is left out, against time", "time [ns/pixel]", "error, rmse",
                       PLOT_LOG_Y);
-    int series[2] = {plot_series(&p, "depth 1, 2 .. 12, no cut"), 0};
-    series[1] = plot_series(&p, "cut 0.5 .. 0.0001");
+    plot_series(&p, "depth 1, 2 .. 12, no cut"), plot_series(&p, "cut 0.5 .. 0.0001");
     f->w.depth = 64, f->w.least = 1e-10;
     measured_draw(&v, o->threads);
     v.im = &im;
@@ -67,8 +56,12 @@ static inline void table_of_knobs(const options *o)
         f->w.depth = knobs[k].depth, f->w.least = (real)knobs[k].least;
         double ns = knob_time(&v, o->full ? 3 : 1) / ((double)w * h) * 1e9;
         image_difference d = image_compare(&im, &deep);
-        knob_row(&t, &v, k, ns, d);
-        plot_add(&p, series[knobs[k].least > 0], ns, d.rmse);
+        table_text(&t, knobs[k].least > 0 ? "cut" : "depth");
+        table_count(&t, (size_t)knobs[k].depth), table_number(&t, knobs[k].least);
+        for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++)
+            table_number(&t, (double)v.counts.rays[i] / (w * h));
+        table_number(&t, d.rmse), table_number(&t, d.maximum), table_number(&t, ns);
+        plot_add(&p, knobs[k].least > 0, ns, d.rmse);
     }
     output_table(o, &t);
     output_plot(o, &p, "19_whitted_time.svg");

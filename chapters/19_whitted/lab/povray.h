@@ -19,8 +19,8 @@
 static const char *const povray_look[] = {
     "pigment{checker rgb .3 rgb .8} finish{diffuse 1 ambient .1}}\n",
     "pigment{rgb 0} finish{diffuse 0 ambient 0 reflection{.9}}}\n",
-    "pigment{rgbt 1} finish{diffuse 0 ambient 0 reflection{0,1 fresnel on} conserve_energy} "
-    "interior{ior 1.5} no_shadow}\n"};
+    ("pigment{rgbt 1} finish{diffuse 0 ambient 0 reflection{0,1 fresnel on} conserve_energy} "
+     "interior{ior 1.5} no_shadow}\n")};
 
 /* The field of view is ours from top to bottom, theirs from left to right. */
 static inline void povray_write(const whitted_stage *w, FILE *f)

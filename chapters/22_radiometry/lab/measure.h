@@ -69,26 +69,14 @@ static inline void way_job(size_t i, void *context)
 
 static inline double run_way(void *context) { return way_estimate(context, 0, 1024); }
 
-/* Of the square. us: of a sample. */
-static inline void ways_plot(const options *o, const radiometry_way *w, const double *us)
-{
-    plot p = plot_new("Irradiance of the square: error against time", "time [us]", "relative error",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = direction_ways + 1; i < ways_all; i++) {
-        int series = plot_series(&p, direction_name[w[i].by]);
-        for (int l = 0; l < way_levels; l++)
-            plot_add(&p, series, us[i] * way_samples(l), w[i].rms[l]);
-    }
-    plot_slope(&p, -0.5, "slope -1/2");
-    output_plot(o, &p, "22_radiometry_time.svg");
-}
-
 static inline void measure_ways(const options *o)
 {
     radiometry_way w[ways_all];
     double us[ways_all];
     table t = table_new("Irradiance of two lights by 4096 samples: error (root mean square, "
                         "relative) and time", "light|samples by|error random|time random [us]");
+    plot p = plot_new("Irradiance of the square: error against time", "time [us]", "relative error",
+                      PLOT_LOG_X | PLOT_LOG_Y);
     for (int i = 0; i < ways_all; i++) {
         int square = i > direction_ways;
         w[i] = (radiometry_way){o, square ? LIGHT_SQUARE : LIGHT_SPHERE,
@@ -100,9 +88,15 @@ static inline void measure_ways(const options *o)
         table_text(&t, "%s", radiometry_light_name[w[i].light]);
         table_text(&t, "%s", i == direction_ways ? "first" : direction_name[w[i].by]);
         table_number(&t, w[i].rms[way_brief]), table_number(&t, us[i] * way_samples(way_brief));
+        if (w[i].light == LIGHT_SPHERE) continue;
+        int series = plot_series(&p, direction_name[w[i].by]);
+        for (int l = 0; l < way_levels; l++)
+            plot_add(&p, series, us[i] * way_samples(l), w[i].rms[l]);
     }
+    plot_slope(&p, -0.5, "slope -1/2");
     output_table(o, &t);
-    if (o->full) ways_plot(o, w, us);
+    if (o->full) output_plot(o, &p, "22_radiometry_time.svg");
+    else plot_free(&p);
 }
 
 #endif

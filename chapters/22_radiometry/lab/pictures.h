@@ -135,26 +135,22 @@ static inline int view_field(vec3 w)
     return 100 * (int)floor(acos(w.z) / step) + (int)floor(atan2(w.y, w.x) / step);
 }
 
-static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
+typedef struct { radiometry_map map; int side; } radiometry_view;
+
+static inline vec3 view_place(const void *context, real column, real row)
 {
     static const vec3 colour[view_things] = {
         {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05}, {0.05, 0.25, 0.6}, {0.02, 0.4, 0.2}};
-    vec3 w, right, below;
-    if (!view_direction(m, x, y, &w)) return (vec3){1, 1, 1};
+    const radiometry_view *v = context;
+    real px = 2 / (real)v->side, x = column * px - 1, y = 1 - row * px;
+    vec3 w, right, above;
+    if (!view_direction(v->map, x, y, &w)) return (vec3){1, 1, 1};
     int k = view_met(w), field = view_field(w);
     vec3 c = k < 0 ? vec(0.85, 0.88, 0.92) : colour[k];
-    bool line = view_direction(m, x + px, y, &right) && view_direction(m, x, y + px, &below)
-             && (field != view_field(right) || field != view_field(below));
+    bool line = view_direction(v->map, x + px, y, &right)
+             && view_direction(v->map, x, y + px, &above)
+             && (field != view_field(right) || field != view_field(above));
     return line ? vscale(c, 0.72) : c;
-}
-
-typedef struct { radiometry_map map; int side; } radiometry_view;
-
-static inline vec3 view_place(const void *context, real x, real y)
-{
-    const radiometry_view *v = context;
-    real px = 2 / (real)v->side;
-    return view_colour(v->map, x * px - 1, 1 - y * px, px);
 }
 
 static inline void draw_view(const options *o)
