@@ -7,7 +7,7 @@
 /* The copies for fixed masks are the same function: the general one gives the same bytes. */
 static void test_special(void)
 {
-#define MASK(name, mask) mask,
+#define MASK(name, set, maybe) set, (set) | (maybe),
     static const unsigned masks[] = {EFFECTS_SETS(MASK)};
     check(effects_made_for(EFFECT_HARD_SHADOWS | EFFECTS_GENERAL) == effects_general, "for prices");
     set q;

@@ -80,8 +80,8 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
     const vec3 none = {0, 0, 0};
     const brdf *b = &x->h->m->f;
     lit_points points = d->way == DIRECT_AREA ? POINTS_BY_AREA : POINTS_BY_ANGLE;
-    lit_draw y = {.far = false};
-    if (!lit_lights_point(d->lights, points, k, chance, x->h->s.p, u, &y)) return none;
+    lit_draw y = {.emitter = (uint32_t)k};
+    if (!lit_draw_of(&d->lights->emitter[k], points, chance, x->h->s.p, u, &y)) return none;
     vec3 wi = to_local(x->frame, y.wi), f = brdf_value_local(b, wi, x->wo);
     if (!(vdot(x->h->s.n, y.wi) > 0)) f = none;
     if (vzero(f) && !d->spend_all) return none;

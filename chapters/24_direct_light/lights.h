@@ -7,7 +7,6 @@
  *   real q = lit_lights_pdf(&l, points, k, p, t, cosine)   of drawing a point of emitter k, t away
  *   real q = lit_lights_pdf_sky(&l, d)                     ... of drawing d, which meets nothing
  *   size_t k = lit_lights_choose(&l, u, &chance, &rest)    only which emitter
- *   lit_lights_point(&l, points, k, chance, p, u, &x)      only the point, of emitter k
  *   real q = lit_lights_chance(&l, k)                      P(k), as lit_lights_choose draws
  *   L += f cos x.Le w / x.per                              if lit_draw_ray(&s, &x) meets nothing
  *   lit_lights_free(&l)
@@ -142,13 +141,6 @@ fast_inline bool lit_draw_of(const emitter *e, lit_points points, real chance, v
     return seen && lit_drawn(e, &x, chance, out);
 }
 
-fast_inline bool lit_lights_point(const lit_lights *l, lit_points points, size_t k, real chance,
-                                  vec3 p, point2 u, lit_draw *out)
-{
-    out->emitter = (uint32_t)k;
-    return lit_draw_of(&l->emitter[k], points, chance, p, u, out);
-}
-
 /* The shadow ray. */
 fast_inline ray lit_draw_ray(const surface *from, const lit_draw *x)
 {
@@ -172,7 +164,8 @@ fast_inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec3 
         u.u = real_min(u.u / l->emitters, largest);
     }
     size_t k = lit_lights_choose(l, u.u, &chance, &u.u);
-    return lit_lights_point(l, points, k, chance, p, u, out);
+    out->emitter = (uint32_t)k;
+    return lit_draw_of(&l->emitter[k], points, chance, p, u, out);
 }
 
 /* Of x, at distance t from p, where the emitter is met at this cosine [> 0]. */

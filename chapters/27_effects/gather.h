@@ -215,31 +215,38 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     return gather_sample(&alone, mask, RAY_TO_SKY, &x, sky_pdf(sky, x.wi, vdot(h->s.ns, x.wi)));
 }
 
+/* Light i, a point of a lamp, a direction of the sky; *q: the pdf of gather_highlight for that. */
+fast_inline bool gather_draw(const gather_hit *h, const unsigned mask, int kind, size_t i,
+                             bool shines, lit_draw *x, real *q)
+{
+    const studio *s = h->e->s;
+    if (kind == RAY_TO_LIGHT) return lit_draw_light(&s->light[i].light, 1, h->s.p, x);
+    point2 u = dice_pair(h->d, h->b->node, h->b->depth, kind == RAY_TO_LAMP ? DICE_LAMP : DICE_SKY);
+    if (kind == RAY_TO_LAMP) return lamps_sample(&h->e->lamp, h->s.p, h->s.n, u, x);
+    bool seen = sky_draw(&s->sky, h->s.ns, u, x);
+    if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
+        seen = s->sky.kind == SKY_IMAGE && sky_draw(&s->sky, vneg(h->s.ns), u, x);
+    if (shines && seen) *q = brdf_pdf(&h->a->lobe, h->s.ns, x->wi, vneg(h->b->r.d));
+    return seen;
+}
+
+/* One loop, so that gather_sample is compiled once: it is long. */
 fast_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
-    const appearance *k = h->k;
-    const effects_stage *e = h->e;
     vec3 sum = {0, 0, 0};
     lit_draw x = {.far = false};
     if (!(h->a->calls & EFFECTS_LIT) && !(mask & EFFECTS_SPEND)) return sum;
-    for (size_t i = 0; mask & EFFECT_HARD_SHADOWS && i < e->s->lights; i++)
-        if (lit_draw_light(&e->s->light[i].light, 1, h->s.p, &x))
-            sum = vadd(sum, gather_sample(h, mask, RAY_TO_LIGHT, &x, 0));
-    if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
-        point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
-        if (lamps_sample(&e->lamp, h->s.p, h->s.n, u, &x))
-            sum = vadd(sum, gather_sample(h, mask, RAY_TO_LAMP, &x, 0));
+    size_t lights = mask & EFFECT_HARD_SHADOWS ? h->e->s->lights : 0;
+    size_t lamp = lights + ((mask & EFFECT_SOFT_SHADOWS) && h->e->lamp.n);
+    size_t sky = lamp + ((mask & EFFECT_ENVIRONMENT) != 0);
+    bool shines = !vzero(h->k->highlight) && vzero(h->k->mirror);
+    for (size_t i = 0; i < sky; i++) {
+        int kind = i < lights ? RAY_TO_LIGHT : i < lamp ? RAY_TO_LAMP : RAY_TO_SKY;
+        real q = 0;
+        if (gather_draw(h, mask, kind, i, shines, &x, &q))
+            sum = vadd(sum, gather_sample(h, mask, kind, &x, q));
     }
-    if (mask & EFFECT_ENVIRONMENT) {
-        point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
-        bool seen = sky_draw(&e->s->sky, h->s.ns, u, &x);
-        if ((mask & EFFECT_GLOSSY) && h->facets && !seen)  /* of a picture: what is behind */
-            seen = e->s->sky.kind == SKY_IMAGE && sky_draw(&e->s->sky, vneg(h->s.ns), u, &x);
-        bool shines = !vzero(k->highlight) && vzero(k->mirror);
-        real q = shines && seen ? brdf_pdf(&h->a->lobe, h->s.ns, x.wi, vneg(h->b->r.d)) : 0;
-        if (seen) sum = vadd(sum, gather_sample(h, mask, RAY_TO_SKY, &x, q));
-        if (shines) sum = vadd(sum, gather_highlight(h, mask));
-    }
+    if ((mask & EFFECT_ENVIRONMENT) && shines) sum = vadd(sum, gather_highlight(h, mask));
     return sum;
 }
 
