@@ -240,8 +240,9 @@ static inline bool path_facet(const path_tracer *t, path_walk *w, const lit_hit 
     return true;
 }
 
-/* False: the path ends here. */
-static inline bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit *x,
+/* False: the path ends here. A call: half of the machine code is for glass. */
+__attribute__((noinline))
+static bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit *x,
                                       path_random *s, path_counts *c)
 {
     bool through;
@@ -302,7 +303,10 @@ fast_inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x, p
     bool glass = t->glass && x->m->ior > 0;
     if (w->bounces >= t->how.bounces) return false;
     if (!glass && brdf_is_black(&x->m->f)) return false;
-    if (!(glass ? path_through_glass(t, w, x, s, c) : path_reflect(t, w, x, s, c))) return false;
+    if (glass) {
+        lit_hit own = *x;  /* x itself stays where it need not be in memory */
+        if (!path_through_glass(t, w, &own, s, c)) return false;
+    } else if (!path_reflect(t, w, x, s, c)) return false;
     if (vzero(w->beta) || !path_dice(t, w, s, c)) return false;
     w->bounces++, c->bounce++;
     return true;
