@@ -183,7 +183,7 @@ static inline void contender_set(void *members, const contender_settings *how)
     }                                                                                           \
     static bool X##_c_counted(const void *s, ray r, bool any, hit *out, search_work *w)         \
     {                                                                                           \
-        return any ? X##_occluded_counted(s, r, w) : X##_hit_counted(s, r, out, w);             \
+        return X##_search(s, r, any, out, w);                                                   \
     }                                                                                           \
     static structure_stats X##_c_stats(const void *s) { return X##_stats(s); }                  \
     static void X##_c_free(void *s) { X##_free(s); }                                            \

@@ -1,7 +1,7 @@
 /* orders.h: the two orders of rendering once more (08): each triangle on its pixels, or each
  * pixel's ray in a tree? Primary visibility, one thread.
  *
- *   orders_run(&c)                        the table, and 17_compare_orders_time.svg
+ *   orders_run(&c)                        a table
  *
  *   race_begin(n, &t)                     teapot of n x n cells a patch, one camera; its wide tree
  *   t.s = raster_new(nx, ny)              the picture that both draw; what was in it is gone
@@ -67,8 +67,8 @@ static inline double race_traced(void *context)
     return (double)t->s.h[0].t;
 }
 
-/* One mesh in one size: a row, and its points in the plot. */
-static inline void race_row(race *t, int nx, int rounds, const int series[2], plot *p, table *to)
+/* One mesh in one size. */
+static inline void race_row(race *t, int nx, int rounds, table *to)
 {
     bench_candidate c[2] = {{.run = race_drawn, .context = t}, {.run = race_traced, .context = t}};
     int ny = nx * 3 / 4;
@@ -76,41 +76,27 @@ static inline void race_row(race *t, int nx, int rounds, const int series[2], pl
     bench_time_by(work_seconds, c, 2, rounds);
     table_count(to, t->w.mesh.triangles), table_text(to, "%d x %d", nx, ny);
     table_number(to, (double)t->s.asked / (nx * ny));
-    for (int k = 0; k < 2; k++) {
-        table_number(to, 1e3 * c[k].seconds);
-        plot_add(p, series[k], (double)t->w.mesh.triangles, 1e3 * c[k].seconds);
-    }
+    for (int k = 0; k < 2; k++) table_number(to, 1e3 * c[k].seconds);
     table_number(to, c[1].seconds / c[0].seconds), table_number(to, 1e3 * t->build);
     raster_free(&t->s);
 }
 
 static inline void orders_run(const compare_settings *c)
 {
-    const options *o = c->o;
+    bool quick = c->o->quick;
     static const int cells[] = {2, 8, 32, 64, 125}, width[] = {80, 320, 1280};
-    int meshes = o->quick ? 2 : 5, sizes = o->quick ? 2 : 3, series[3][2];
     table t = table_new("Two orders, one picture", "triangles|pixels|asked a pixel|raster [ms]|"
                         "wide [ms]|ratio wide / raster|build wide [ms]");
-    plot p = plot_new("One picture in two orders", "triangles", "time [ms]",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < 2 * sizes; i++) {
-        char label[64];
-        snprintf(label, sizeof label, "%s, %d x %d", i % 2 ? "wide" : "raster", width[i / 2],
-                 width[i / 2] * 3 / 4);
-        series[i / 2][i % 2] = plot_series(&p, label);
-    }
-    for (int m = 0; m < meshes; m++) {
+    for (int m = 0; m < (quick ? 2 : 5); m++) {
         race track;
         race_begin(cells[m], &track);
         compare_progress("two orders", "timing", "");
-        for (int i = 0; i < sizes; i++)
-            race_row(&track, width[i], o->quick ? 1 : 5, series[i], &p, &t);
+        for (int i = 0; i < (quick ? 2 : 3); i++) race_row(&track, width[i], quick ? 1 : 5, &t);
         race_end(&track);
     }
     compare_progress("two orders", NULL, NULL);
     html_heading(c->to, "Two orders");
     html_table(c->to, &t);
-    html_plot(c->to, &p, "17_compare_orders_time.svg");
 }
 
 #endif

@@ -82,7 +82,7 @@ static inline bool sheet_draw(const options *o, image *im)
         int scale = o->quick || fine ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
         line_up one = {.n = 0};
-        choose(&one, &bvh_contender);
+        choose(&one, &wide_contender);
         compare_begin(&s, &w, &one, SIZE_MAX, 1);
         const compare_entry *e = compare_any(&s);
         if (!e) fail(s.entry[0].why);
