@@ -62,6 +62,26 @@ static verdict look(const mesh *m, const painter *p, bool naive, real reach, siz
     return v;
 }
 
+/* On a segment of the plane z = 0: a triangle with its third corner above the middle. */
+static void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, real y1)
+{
+    m->v[3 * i] = (vec3){x0, y0, 0}, m->v[3 * i + 1] = (vec3){x1, y1, 0};
+    m->v[3 * i + 2] = (vec3){(x0 + x1) / 2, (y0 + y1) / 2, 1};
+}
+
+/* n short walls, then n long ones: the planes of the short walls cut all long ones, and those of the
+ * long walls cut nothing. */
+static mesh comb_mesh(size_t n)
+{
+    mesh m = mesh_room(2 * n);
+    for (size_t i = 0; i < n; i++) {
+        real x = ((real)i + (real)0.5) / (real)n;
+        puzzle_wall(&m, i, x, -2, x, -1);
+        puzzle_wall(&m, n + i, 0, (real)i / (real)n, 1, (real)i / (real)n);
+    }
+    return m;
+}
+
 /* n walls one way through n walls the other way: n^2 crossings. */
 static mesh crossing_mesh(size_t n)
 {

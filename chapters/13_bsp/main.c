@@ -32,6 +32,6 @@ int main(int argc, char **argv)
     if (o.own || o.out) return output_done(&o);
     draw_strip(&o), draw_cyclic(&o);
     table_of_rules(&o);
-    if (o.full) table_of_scenes(&o), table_of_losses(&o), table_of_pieces(&o);
+    if (o.full) table_of_scenes(&o), table_of_losses(&o);
     return output_done(&o);
 }

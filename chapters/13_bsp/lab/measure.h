@@ -3,7 +3,6 @@
  *   table_of_rules(o)       the main table, and the plot of building against searching
  *   table_of_scenes(o)      planes across the axes and of any direction, scene by scene
  *   table_of_losses(o)      wrong hits of 6000 rays aimed where planes are
- *   table_of_pieces(o)      of the painter
  */
 #ifndef BSP_MEASURE_H
 #define BSP_MEASURE_H
@@ -13,7 +12,6 @@
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
 #include "../first.h"
-#include "../painter.h"
 #include "naive.h"
 #include "puzzles.h"
 
@@ -214,40 +212,6 @@ static inline void table_of_losses(const options *o)
         table_text(&out, "%s", list[i].name);
         for (int k = 0; k < 4; k++) table_count(&out, wrong[i][k]);
     }
-    output_extra_table(o, &out);
-}
-
-/* ---- pieces ---- */
-
-static inline size_t pieces_of(const mesh *m, painter_rule rule, uint64_t seed)
-{
-    painter p;
-    failure f;
-    painter_options how = painter_defaults;
-    how.rule = rule, how.seed = seed;
-    if (!painter_build(m, how, &p, &f)) fail(f);
-    size_t n = p.pieces;
-    painter_free(&p);
-    return n;
-}
-
-static inline void table_of_pieces(const options *o)
-{
-    static const char *const names[3] = {"comb", "torus", "teapot"};
-    table out = table_new("The painter's pieces, by the rule that picks planes",
-                          "scene|triangles|first|random|fewest of 16|(13.6)|n^2 / 4");
-    for (int k = 0; k < 3; k++)
-        for (int n = 4; n <= (k ? 16 : 256); n *= 4) {
-            mesh m = k == 0 ? comb_mesh((size_t)n) : k == 1 ? torus_mesh(4 * n)
-                                                            : teapot_mesh(n / 2);
-            double all = (double)m.triangles;
-            table_text(&out, "%s", names[k]), table_count(&out, m.triangles);
-            table_count(&out, pieces_of(&m, PAINTER_FIRST, 1));
-            table_count(&out, pieces_of(&m, PAINTER_RANDOM, o->seed));
-            table_count(&out, pieces_of(&m, PAINTER_FEWEST, o->seed));
-            table_number(&out, all + 2 * all * log(all)), table_number(&out, all * all / 4);
-            mesh_free(&m);
-        }
     output_extra_table(o, &out);
 }
 

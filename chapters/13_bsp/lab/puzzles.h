@@ -1,13 +1,10 @@
-/* puzzles.h: triangles that are hard to paint in order, and walls that are hard not to cut.
+/* puzzles.h: triangles that are hard to paint in order, and a town, which slanted planes suit.
  *
  *   mesh m = cyclic_mesh()          three long triangles, each over the next: no order
- *   mesh m = comb_mesh(n)           n short walls, then n long ones; the planes of the short walls
- *                                   cut all long ones, and those of the long walls cut nothing
  *   mesh m = town_mesh(n, turn)     n x n blocks of 12 triangles on a square of 2, turned by `turn`
  *                                   [radians] about (1, 2, 3)
  *
- * A wall stands on a segment of the plane z = 0: a triangle with its third corner above the middle.
- * mesh_free releases them all.
+ * mesh_free releases them.
  */
 #ifndef BSP_PUZZLES_H
 #define BSP_PUZZLES_H
@@ -16,12 +13,6 @@
 #include "../../07_mesh/scenes/soup.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, real y1)
-{
-    m->v[3 * i] = (vec3){x0, y0, 0}, m->v[3 * i + 1] = (vec3){x1, y1, 0};
-    m->v[3 * i + 2] = (vec3){(x0 + x1) / 2, (y0 + y1) / 2, 1};
-}
 
 /* The same triangle turned by thirds: it rises along its length, so each ends over the next. */
 static inline mesh cyclic_mesh(void)
@@ -33,17 +24,6 @@ static inline mesh cyclic_mesh(void)
                            {-1.1, -0.1, -0.3}};
         for (size_t k = 0; k < 3; k++)
             m.v[3 * i + k] = (vec3){c * q[k].x - s * q[k].y, s * q[k].x + c * q[k].y, q[k].z};
-    }
-    return m;
-}
-
-static inline mesh comb_mesh(size_t n)
-{
-    mesh m = mesh_room(2 * n);
-    for (size_t i = 0; i < n; i++) {
-        real x = ((real)i + (real)0.5) / (real)n;
-        puzzle_wall(&m, i, x, -2, x, -1);
-        puzzle_wall(&m, n + i, 0, (real)i / (real)n, 1, (real)i / (real)n);
     }
     return m;
 }

@@ -5,12 +5,13 @@
  *   table_of_orders(o, &s)        the nearer child first, or always the first; the closest, or any
  *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
  *   plot_of_pareto(o, &s)         each rule a curve, leaf sizes 16, 8, 4, 2 its points
- *   bvh_grow(o)                   against the number of triangles, up to a million
  */
 #ifndef BVH_MEASURE_H
 #define BVH_MEASURE_H
 
-#include "../../09_aabb/trials/growth.h"
+#include "../../../common/lab/report.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../../09_aabb/trials/bench.h"
 #include "../bvh.h"
 #include "../first.h"
 #include "cost.h"
@@ -37,7 +38,6 @@ static inline bool bvh_hit_naive(const bvh *b, ray r, hit *out)
 TRIAL_VERBS(bvh, bvh, bvh_hit, bvh_hit_counted)
 TRIAL_OTHER(bvh_naive, bvh, bvh, bvh_hit_naive)
 TRIAL_FIRST(first_bvh, b->s = first_bvh_build(&b->m, *(const bool *)how))
-BVH_ORDER(bvh_ordered, false, true)
 BVH_ORDER(bvh_as_stored, false, false)
 BVH_ORDER(bvh_any_ordered, true, true)
 BVH_ORDER(bvh_any_as_stored, true, false)
@@ -93,7 +93,7 @@ static inline void table_of_rules(const options *o, const trial_scene *s)
 static inline void table_of_orders(const options *o, const trial_scene *s)
 {
     static const struct { const char *name; const trial_verbs *verbs; } list[4] = {
-        {"closest, nearer child first", &bvh_ordered_trial},
+        {"closest, nearer child first", &bvh_trial},
         {"closest, first child first", &bvh_as_stored_trial},
         {"any, nearer child first", &bvh_any_ordered_trial},
         {"any, first child first", &bvh_any_as_stored_trial}};
@@ -163,17 +163,6 @@ static inline void plot_of_pareto(const options *o, const trial_scene *s)
         }
     }
     output_plot(o, &p, "14_bvh_pareto_time.svg");
-}
-
-static inline void bvh_grow(const options *o)
-{
-    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125};
-    const bvh_options how = bvh_defaults;
-    const trial_growth g = {.title = "Growth with n, SAH, bins, leaves of 8; one thread",
-                            .plot = "14_bvh_n.svg",
-                            .work = {"pairs of boxes", NULL, "triangles"}, .verbs = &bvh_trial,
-                            .how = &how, .fine = fine, .sizes = 8, .width = 200, .brute = 64};
-    trial_grow(o, &g);
 }
 
 #endif

@@ -35,28 +35,25 @@ static inline void table_of_rungs(const options *o, const trial_scene *s)
     bvh_options binary = bvh_defaults;
     bvh8_options four = bvh8_defaults, how[eight_dialects];
     bool first = false;
-    trial_row row[12];
     char title[160];
-    int n = 0, best = (int)eight_best();
+    int best = (int)eight_best();
     four.width = 4, four.dialect = EIGHT_PLAIN;
     for (int d = 0; d < eight_dialects; d++) {
         how[d] = bvh8_defaults;
         how[d].dialect = (eight_dialect)(d < best ? d : best);
     }
-    row[n++] = (trial_row){.name = "first, four wide", .verbs = &first_wide_trial, .how = &first};
-    row[n++] = (trial_row){.name = "14: two wide", .verbs = &bvh_trial, .how = &binary};
-    row[n++] = (trial_row){.name = "four wide, one by one", .verbs = &bvh8_one_trial, .how = &four};
-    row[n++] = (trial_row){.name = "eight, one by one", .verbs = &bvh8_one_trial, .how = &how[0]};
-    row[n++] = (trial_row){.name = "eight boxes at once", .verbs = &bvh8_any_order_trial,
-                           .how = &how[0], .again = true};
-    row[n++] = (trial_row){.name = "+ nearest first", .verbs = &bvh8_boxes_trial, .how = &how[0],
-                           .again = true};
-    row[n++] = (trial_row){.name = "+ eight triangles", .verbs = &bvh8_trial, .how = &how[0],
-                           .again = true};
-    row[n++] = (trial_row){.name = "+ AVX2", .verbs = &bvh8_trial, .how = &how[1]};
-    row[n++] = (trial_row){.name = "+ AVX-512", .verbs = &bvh8_trial, .how = &how[2]};
-    row[n++] = (trial_row){.name = "leaky", .verbs = &bvh8_leaky_trial, .how = &how[2]};
-    trials_run(row, n, s, o->quick ? 1 : o->full ? 15 : 5);
+    trial_row row[] = {
+        {.name = "first, four wide", &first_wide_trial, &first},
+        {.name = "14: two wide", &bvh_trial, &binary},
+        {.name = "four wide, one by one", &bvh8_one_trial, &four},
+        {.name = "eight, one by one", &bvh8_one_trial, &how[0]},
+        {.name = "eight boxes at once", &bvh8_any_order_trial, &how[0], .again = true},
+        {.name = "+ nearest first", &bvh8_boxes_trial, &how[0], .again = true},
+        {.name = "+ eight triangles", &bvh8_trial, &how[0], .again = true},
+        {.name = "+ AVX2", &bvh8_trial, &how[1]}, {.name = "+ AVX-512", &bvh8_trial, &how[2]},
+        {.name = "leaky", &bvh8_leaky_trial, &how[2]}};
+    const int n = sizeof row / sizeof *row;
+    trials_run(row, n, s, o->quick ? 1 : o->full ? 15 : 3);
     table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
     output_table(o, &t);
     trial_end(row, n);
@@ -108,8 +105,8 @@ static inline void table_of_shadows(const options *o, const trial_scene *s)
     bvh8 w;
     bvh b;
     failure f;
-    if (!bvh8_build(&s->x, bvh8_defaults, &w, &f)) fail(f);
-    if (!bvh_build(&s->x, bvh_defaults, &b, &f)) fail(f);
+    if (!bvh8_build(&s->x, bvh8_defaults, &w, &f) || !bvh_build(&s->x, bvh_defaults, &b, &f))
+        fail(f);
     ray_set rays = shadow_rays(s, &w);
     char title[120];
     snprintf(title, sizeof title, "%zu triangles: %zu rays to a light, one thread",

@@ -1,5 +1,5 @@
 /* stream.h: up to eight rays through the tree together: a node is fetched once for all of them, and
- * they wait on one stack, where it is near for any of them. The same hits. Does it pay?
+ * they wait on one stack, where it is near for any of them. The same hits; in plain C. Does it pay?
  *
  *   bvh8_hit_stream(&w, r, n, hits, &work)    n <= stream_rays; hit_none where nothing is
  *   table_of_streams(o, &s)                   neighbours in the picture, and scattered rays
@@ -19,14 +19,46 @@ enum { stream_rays = 8 };
 typedef struct { size_t fetched, asked; } stream_work;  /* nodes; rays at nodes */
 typedef struct { uint32_t child, rays; float enter; } stream_waiting;
 
-#define EIGHT_FILE "../../chapters/15_wide_bvh/lab/stream_walk.h"
-#include "../../../common/numbers/dialects.h"
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void bvh8_hit_stream(const bvh8 *w, const ray *r, int n, hit *out, stream_work *work)
 {
-    EIGHT_CALL(w->dialect, bvh8_stream, w, r, n, out, work);
+    const bvh8_skip none = bvh8_skip_none;  /* a ray keeps its address */
+    stream_waiting stack[bvh8_stack];
+    bvh8_ray q[stream_rays];
+    unsigned usable = 0;
+    int top = 0;
+    for (int i = 0; w->nodes > 0 && i < n; i++)
+        usable |= (unsigned)bvh8_ray_of(w, &r[i], &none, &q[i]) << i;
+    stack[top++] = (stream_waiting){0, usable, 0};
+    while (top > 0) {
+        stream_waiting now = stack[--top];
+        bool leaf = now.child & bvh8_leaf;
+        uint32_t at = now.child & ~bvh8_leaf, rays[8] = {0};
+        eight near = EIGHT_ALL(INFINITY), enter;
+        work->fetched += !leaf && now.rays;
+        for (unsigned left = now.rays; left; left &= left - 1) {
+            int i = __builtin_ctz(left);
+            if (float_max(q[i].limit, 0) < now.enter) continue;  /* enter: not before 0 */
+            if (leaf) {
+                bvh8_triangles_0(w, &w->block[at], &q[i], false);
+                continue;
+            }
+            eight_set mask = bvh8_boxes_0(&w->node[at], &q[i], &enter);
+            near = EIGHT_LOOP(eight_min, near, enter);
+            work->asked++;
+            for (; mask; mask &= mask - 1) rays[__builtin_ctzll(mask) / 8] |= 1u << i;
+        }
+        for (int k = 0, base = top; k < 8; k++) {
+            if (!rays[k]) continue;
+            int j = top++;
+            const float t = near[k];
+            for (; j > base && stack[j - 1].enter < t; j--) stack[j] = stack[j - 1];
+            stack[j] = (stream_waiting){w->node[at].child[k], rays[k], t};
+        }
+    }
+    for (int i = 0; i < n; i++)
+        out[i] = usable >> i & 1 && bvh8_settle(w, &q[i]) ? q[i].best : hit_none;
 }
 
 typedef struct { const bvh8 *w; const ray_set *rays; int together; size_t hits; stream_work work; }
@@ -52,8 +84,10 @@ static inline void table_of_streams(const options *o, const trial_scene *s)
     table t = table_new("Eight rays together: neighbours in a row of pixels, and scattered ones",
                         "rays|together|hits|nodes fetched a ray|nodes asked a ray|time [ns]");
     bvh8 w;
+    bvh8_options plain = bvh8_defaults;
     failure f;
-    if (!bvh8_build(&s->x, bvh8_defaults, &w, &f)) fail(f);
+    plain.dialect = EIGHT_PLAIN;
+    if (!bvh8_build(&s->x, plain, &w, &f)) fail(f);
     for (int k = 0; k < 2; k++) {
         stream_pass p[2];
         bench_candidate c[2];

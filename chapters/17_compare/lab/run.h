@@ -32,7 +32,7 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
                                quick ? 200 : all ? 2400 : 400, c->o->seed, stdout), w->name);
     if (all) cost_measure(s, turns);
-    else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 2);
+    else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 4);
 }
 
 /* The visits of each pixel's ray; save: into the chapter's picture, too. */
