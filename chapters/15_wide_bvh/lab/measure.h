@@ -141,10 +141,6 @@ static inline double crack_run(void *context)
     return (double)hits;
 }
 
-static inline bool crack_first(const void *w, ray r, hit *out) { return first_wide_hit(w, r, out); }
-static inline bool crack_bvh8(const void *w, ray r, hit *out) { return bvh8_hit(w, r, out); }
-static inline bool crack_leaky(const void *w, ray r, hit *out) { return bvh8_hit_leaky(w, r, out); }
-static inline bool crack_bvh(const void *b, ray r, hit *out) { return bvh_hit(b, r, out); }
 static inline bool crack_mesh(const void *m, ray r, hit *out) { return mesh_hit(m, r, out); }
 
 /* Into a closed mesh at its corners and edges, from `away` sizes: each ray must hit. Brute force
@@ -161,16 +157,16 @@ static inline void table_of_cracks(const options *o)
                       "lost rays [of 1000]", PLOT_LOG_X | PLOT_LOG_Y);
     mesh m = octahedron_mesh(48);
     items x = items_of_mesh(&m);
-    first_mesh soup = first_mesh_of(&m);
-    first_wide w4 = first_wide_build(&soup);
+    first_wide_trial_of w4 = {.m = first_mesh_of(&m)};
     bvh8 w;
     bvh b2;
     failure f;
     size_t n = o->quick ? 500 : 20000;
+    w4.s = first_wide_build(&w4.m);
     if (!bvh8_build(&x, bvh8_defaults, &w, &f) || !bvh_build(&x, bvh_defaults, &b2, &f)) fail(f);
     const struct { const char *name; crack_search *hit; const void *built; } list[ways] = {
-        {"first, four wide", crack_first, &w4}, {"leaky", crack_leaky, &w},
-        {"watertight", crack_bvh8, &w}, {"14: two wide", crack_bvh, &b2},
+        {"first, four wide", first_wide_trial.hit, &w4}, {"leaky", bvh8_leaky_trial.hit, &w},
+        {"watertight", bvh8_trial.hit, &w}, {"14: two wide", bvh_trial.hit, &b2},
         {"brute force", crack_mesh, &m}};
     for (int i = 0; i < ways; i++) plot_series(&p, list[i].name);
     for (double away = 4; away < 1e7; away *= 500) {
@@ -202,7 +198,7 @@ static inline void table_of_cracks(const options *o)
     output_table(o, &t);
     if (o->full) output_plot(o, &p, "15_wide_bvh_time.svg");
     else plot_free(&p);
-    bvh8_free(&w), bvh_free(&b2), first_wide_free(&w4), first_mesh_free(&soup), mesh_free(&m);
+    bvh8_free(&w), bvh_free(&b2), first_wide_trial.free(&w4), mesh_free(&m);
 }
 
 /* How often a ray asked `real`, by kinds. */

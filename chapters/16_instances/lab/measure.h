@@ -26,6 +26,7 @@ typedef struct {
     instances_boxes boxes;
     bool flat, unit;
     const instances_survey *s;
+    const crowd *c;              /* that it is built of */
     instances x;                 /* or, flattened: */
     mesh m;
     bvh_mesh b;
@@ -50,14 +51,23 @@ static inline void survey_free(instances_survey *s)
     rays_free(&s->eye), instances_free(&s->x), forest_free(&s->w);
 }
 
-static inline void method_build(instances_method *m, const crowd *c)
+/* Of the crowd m->c. */
+static inline void method_build(size_t i, void *methods)
 {
     failure f;
+    instances_method *m = (instances_method *)methods + i;
+    const crowd *c = m->c;
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
     if (m->flat) m->m = crowd_flattened(c);
     if (m->flat ? !bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)
                 : !instances_build(c, how, &m->x, &f)) fail(f);
+}
+
+static inline void methods_build(instances_method *m, int n, const crowd *c)
+{
+    for (int k = 0; k < n; k++) m[k].c = c;
+    parallel_whole((size_t)n, 0, "building", method_build, m);
 }
 
 static inline void method_free(instances_method *m)
@@ -102,7 +112,8 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
     affine *inverse = crowd_inverses(&c);
     vec3 eye = vadd(forest_camera(1).e, to);
     real bound = 64 * real_epsilon * (vlargest(to) + 100);
-    for (int k = 0; k < methods; k++) wrong[k] = 0, method_build(&m[k], &c);
+    methods_build(m, methods, &c);
+    for (int k = 0; k < methods; k++) wrong[k] = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 9);
         const instance *p = &w.list[1 + random_next_bits(&g) % (w.n - 1)];
@@ -153,7 +164,8 @@ static inline void table_of_methods(const options *o)
     survey_make(&s, o->quick ? 20 : 100, o);
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
     methods_wrong(m, n, earth, corners, o->seed, far);
-    for (int i = 0; i < n; i++) m[i].s = &s, method_build(&m[i], &s.c);
+    methods_build(m, n, &s.c);
+    for (int i = 0; i < n; i++) m[i].s = &s;
     bench_each(method_search, m, sizeof *m, n, o->full ? 5 : 1,
                1e9 / (double)s.eye.n, eye);
     char title[160];
@@ -194,7 +206,7 @@ static inline void table_of_growth(const options *o)
         method_work(&two, &entered, &tests);
         double triangles = flattened_triangles(&s.x);
         if (n <= 100) {
-            method_build(&flat, &s.c);
+            methods_build(&flat, 1, &s.c);
             mb_a_triangle = method_megabytes(&flat) / triangles;
             method_free(&flat);
         }

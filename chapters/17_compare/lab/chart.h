@@ -107,7 +107,7 @@ static inline void chart_write(const measured_scenes *m, FILE *out)
 static inline void chart_show(const measured_scenes *m, const html_report *to)
 {
     if (!html_file(to)) return;
-    html_heading(to, "What a ray costs, and what building costs");
+    html_element(to, "h2", "What a ray costs, and what building costs");
     fprintf(html_file(to), "<div class=\"wide\">");
     chart_write(m, html_file(to));
     fprintf(html_file(to), "</div>\n");

@@ -94,7 +94,7 @@ static inline bool growth_run(const compare_settings *c)
     line_up now = c->chosen;
     measured_scenes m = {.chosen = &c->chosen};
     bool ok = true;
-    html_heading(c->to, "Growth");
+    html_element(c->to, "h2", "Growth");
     while (ok && m.n < (c->o->quick ? 3 : growth_sizes)) ok = growth_step(c, &m, &now);
     if (ok) growth_print(&m, c->to);
     measured_free(&m);

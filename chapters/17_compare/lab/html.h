@@ -1,7 +1,7 @@
 /* html.h: where results go: to the screen, and into a report: one HTML file that needs no other.
  *
  *   html_report *r = html_begin(&o, "report.html", "Title");   path NULL: the screen alone
- *   html_heading(r, "Verdict"), html_element(r, "p", "text")   in the report alone
+ *   html_element(r, "h2", "Verdict")   in the report alone
  *   html_note(r, "%zu rays", n)        "# 7 rays" on the screen, a paragraph in the report
  *   html_table(r, &t)                  output_extra_table, and in the report
  *   html_plot(r, &p, "x.svg")          output_plot, and in the report
@@ -87,11 +87,6 @@ static inline void html_element(const html_report *r, const char *tag, const cha
     fprintf(html_file(r), "<%s>", tag);
     html_escaped(html_file(r), text);
     fprintf(html_file(r), "</%.*s>\n", (int)strcspn(tag, " "), tag);
-}
-
-static inline void html_heading(const html_report *r, const char *text)
-{
-    html_element(r, "h2", text);
 }
 
 __attribute__((format(printf, 2, 3)))

@@ -95,7 +95,7 @@ static inline void orders_run(const compare_settings *c)
         race_end(&track);
     }
     compare_progress("two orders", NULL, NULL);
-    html_heading(c->to, "Two orders");
+    html_element(c->to, "h2", "Two orders");
     html_table(c->to, &t);
 }
 

@@ -32,9 +32,7 @@ static inline double order_seconds(void) { return clock_of(CLOCK_PROCESS_CPUTIME
 static inline double order_search(void *context)
 {
     order_work *x = context;
-    size_t jobs = (x->rays->n + order_chunk - 1) / order_chunk;
-    if (x->threads == 1) for (size_t i = 0; i < jobs; i++) order_job(i, x);
-    else parallel_whole(jobs, x->threads, "rays", order_job, x);
+    parallel_whole((x->rays->n + order_chunk - 1) / order_chunk, x->threads, "rays", order_job, x);
     return (double)x->out[0].t;
 }
 

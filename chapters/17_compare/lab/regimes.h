@@ -116,7 +116,7 @@ static inline bool motion_run(const options *o, html_report *to)
 
 static inline bool regimes_run(const compare_settings *c)
 {
-    html_heading(c->to, "Regimes");
+    html_element(c->to, "h2", "Regimes");
     order_run(c);
     return motion_run(c->o, c->to);
 }

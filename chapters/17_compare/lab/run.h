@@ -118,7 +118,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
              "structures, %zu of them by brute force, before anything was timed. Each time is the "
              "median of several turns on one thread, each structure warmed before its turn.",
              proved, by_brute);
-    html_heading(c->to, "Verdict");
+    html_element(c->to, "h2", "Verdict");
     html_element(c->to, "p", verdict);
     if (book && !c->o->full) summary_few(m, c->to);
     else if (book || own->report || own->mesh[1]) summary_print(m, c->to);

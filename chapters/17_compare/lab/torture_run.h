@@ -132,7 +132,7 @@ static inline void torture_run(const compare_settings *c, const char *folder, co
     for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
     compare_progress("torture", NULL, NULL);
     bool saved = !folder || output_csv(c->o, &out, &f);
-    html_heading(c->to, "Torture");
+    html_element(c->to, "h2", "Torture");
     html_table(c->to, &out);
     if (!saved) fail(f);
     for (int j = 0; j < (who ? 1 : c->chosen.n); j++) {
