@@ -69,8 +69,8 @@ static void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, real y1)
     m->v[3 * i + 2] = (vec3){(x0 + x1) / 2, (y0 + y1) / 2, 1};
 }
 
-/* n short walls, then n long ones: the planes of the short walls cut all long ones, and those of the
- * long walls cut nothing. */
+/* n short walls, then n long ones: the planes of the short walls cut all long ones, and those of
+ * the long walls cut nothing. */
 static mesh comb_mesh(size_t n)
 {
     mesh m = mesh_room(2 * n);
