@@ -1,5 +1,6 @@
-/* contenders.h: the structures that are compared. A new one, with the verbs of 09_aabb/structure.h,
- * is one #include and one line of the list below; example.h is a whole one, to begin with.
+/* contenders.h: the structures that are compared. A new one, with X_search and the verbs that
+ * 09_aabb/structure.h makes of it, is one #include and one line of the list below; example.h is a
+ * whole one, to begin with.
  *
  *   LINE(id, "name", X, options, role)
  *      id         of its own
