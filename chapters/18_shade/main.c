@@ -8,8 +8,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/1
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
-/* cold: what only main calls runs once, so it is compiled small, and sooner. */
-__attribute__((cold)) int main(int argc, char **argv)
+int main(int argc, char **argv)
 {
     int teapot = 0;
     bool all = false;

@@ -11,8 +11,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters
 #include "lab/povray.h"
 #include "lab/spd_protocol.h"
 
-/* cold: what only main calls runs once, so it is compiled small, and sooner. */
-__attribute__((cold)) int main(int argc, char **argv)
+int main(int argc, char **argv)
 {
     const char *how = NULL, *name = NULL, *pov = NULL, *pixel = NULL;
     int scale = -1;

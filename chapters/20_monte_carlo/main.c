@@ -6,8 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chap
 #include "lab/pictures.h"
 #include "lab/dome_picture.h"
 
-/* cold: what only main calls runs once, so it is compiled small, and sooner. */
-__attribute__((cold)) int main(int argc, char **argv)
+int main(int argc, char **argv)
 {
     options defaults = {.width = 994, .height = 542, .seed = 1,
                         .quick_width = 240, .quick_height = 120};

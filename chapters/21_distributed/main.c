@@ -7,8 +7,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chap
 #include "lab/extent_figure.h"
 #include "lab/measure.h"
 
-/* cold: what only main calls runs once, so it is compiled small, and sooner. */
-__attribute__((cold)) int main(int argc, char **argv)
+int main(int argc, char **argv)
 {
     const char *effects = "all";
     char path[64];
