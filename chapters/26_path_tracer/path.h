@@ -243,7 +243,7 @@ static inline bool path_facet(const path_tracer *t, path_walk *w, const lit_hit 
 /* False: the path ends here. A call: half of the machine code is for glass. */
 __attribute__((noinline))
 static bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit *x,
-                                      path_random *s, path_counts *c)
+                               path_random *s, path_counts *c)
 {
     bool through;
     real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
