@@ -146,16 +146,16 @@ static void test_dome(void)
     static const int at[5][2] = {{200, 100}, {150, 160}, {200, 225}, {60, 200}, {250, 270}};
     size_t n = check_count(20000);
     for (int k = 0; k < 5; k++)
-        for (int panel = 0; panel < 2; panel++) {
+        for (int way = 0; way < 2; way++) {
             dome_place place = dome_seen(at[k][0], at[k][1]);
             estimate e = {0};
             for (size_t i = 0; i < n; i++) {
                 point2 q = {random_real(9, i, (uint64_t)k, 0), random_real(9, i, (uint64_t)k, 1)};
-                e = estimate_add(e, dome_sample(panel, place, q));
+                e = estimate_add(e, dome_sample(way, place, q));
             }
             check(!place.sky && place.ball == (k < 3), "where place %d lies", k);
             check_at_least(t_test(e, dome_truth(place), 64 * eps), alarm, "sky, place %d by %d", k,
-                           panel);
+                           way);
         }
 }
 
