@@ -41,32 +41,48 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 
 #if defined __x86_64__ && defined __GNUC__
 #define EIGHT_X86 1
-#include <immintrin.h>
-#define EIGHT_SAY(fast, plain) (EIGHT_DIALECT ? (fast) : (plain))
 #define EIGHT_CALL(dialect, name, ...)                         \
     ((dialect) == EIGHT_AVX512 ? name##_2(__VA_ARGS__)         \
      : (dialect) == EIGHT_AVX2 ? name##_1(__VA_ARGS__) : name##_0(__VA_ARGS__))
+/* gcc's own names: to read the header of all instructions takes it half a second. clang's names
+ * come and go, and it reads faster. */
+#ifdef __clang__
+#include <immintrin.h>
+#define EIGHT_ONE(gcc, header) header
+#define EIGHT_LE_MASK(a, b) _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ)
+#else
+#define EIGHT_ONE(gcc, header) __builtin_ia32_##gcc
+#define EIGHT_LE_MASK(a, b) __builtin_ia32_cmpps256_mask(a, b, 18, 255)
+#endif
 #else
 #define EIGHT_X86 0
-#define EIGHT_SAY(fast, plain) (plain)
 #define EIGHT_CALL(dialect, name, ...) name##_0(__VA_ARGS__)
 #endif
-#define EIGHT_MIN(a, b) EIGHT_SAY(_mm256_min_ps(a, b), EIGHT_LOOP(eight_min, a, b))
-#define EIGHT_MAX(a, b) EIGHT_SAY(_mm256_max_ps(a, b), EIGHT_LOOP(eight_max, a, b))
-#define EIGHT_FMA(a, b, c) EIGHT_SAY(_mm256_fmadd_ps(a, b, c), EIGHT_LOOP(eight_fma, a, b, c))
-#define EIGHT_LE(a, b) \
-    EIGHT_SAY((eight_whole)_mm256_cmp_ps(a, b, _CMP_LE_OQ), (eight_whole)((a) <= (b)))
+#define EIGHT_SAY(fast, plain) EIGHT(EIGHT_SAY)(fast, plain)  /* no dialect sees another's */
+#define EIGHT_SAY_0(fast, plain) (plain)
+#define EIGHT_SAY_1(fast, plain) (fast)
+#define EIGHT_SAY_2(fast, plain) (fast)
+#define EIGHT_MIN(a, b) \
+    EIGHT_SAY(EIGHT_ONE(minps256, _mm256_min_ps)(a, b), EIGHT_LOOP(eight_min, a, b))
+#define EIGHT_MAX(a, b) \
+    EIGHT_SAY(EIGHT_ONE(maxps256, _mm256_max_ps)(a, b), EIGHT_LOOP(eight_max, a, b))
+#define EIGHT_FMA(a, b, c) \
+    EIGHT_SAY(EIGHT_ONE(vfmaddps256, _mm256_fmadd_ps)(a, b, c), EIGHT_LOOP(eight_fma, a, b, c))
+#define EIGHT_LE(a, b) /* 18: false for a NaN */ \
+    EIGHT_SAY((eight_whole)EIGHT_ONE(cmpps256, _mm256_cmp_ps)(a, b, 18), (eight_whole)((a) <= (b)))
 #define EIGHT_BITS(lanes) \
-    EIGHT_SAY((eight_set)_mm256_movemask_ps((eight)(lanes)), \
+    EIGHT_SAY((eight_set)EIGHT_ONE(movmskps256, _mm256_movemask_ps)((eight)(lanes)), \
               eight_bits((const eight_whole[]){lanes}))
-#define EIGHT_LE_BITS(a, b)                                                          \
-    EIGHT_SAY(EIGHT_DIALECT == 2 ? (eight_set)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ)   \
-                                 : EIGHT_BITS(EIGHT_LE(a, b)), EIGHT_BITS(EIGHT_LE(a, b)))
+#define EIGHT_LE_BITS(a, b) EIGHT(EIGHT_LE_BITS)(a, b)
+#define EIGHT_LE_BITS_0(a, b) EIGHT_BITS(EIGHT_LE(a, b))
+#define EIGHT_LE_BITS_1(a, b) EIGHT_BITS(EIGHT_LE(a, b))
+#define EIGHT_LE_BITS_2(a, b) ((eight_set)(uint8_t)EIGHT_LE_MASK(a, b))
 #define EIGHT_FAR(a, b) EIGHT_MAX(EIGHT_ABS(a), EIGHT_ABS(b))
+#define EIGHT_ABS(a)                                                             \
+    EIGHT_SAY(EIGHT_ONE(andnps256, _mm256_andnot_ps)(EIGHT_ALL(-0.0f), a),       \
+              (eight)((eight_whole)(a) & INT32_MAX))
 #define EIGHT_STEP (EIGHT_DIALECT ? 1 : 8)
 #define EIGHT_FIRST(set) (__builtin_ctzll(set) / EIGHT_STEP)
-#define EIGHT_ABS(a) \
-    EIGHT_SAY(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a), (eight)((eight_whole)(a) & INT32_MAX))
 #define EIGHT_COUNT(set) ((size_t)__builtin_popcountll(set))
 #define EIGHT_ROW(rows, bytes) (*(const eight *)((const char *)(rows) + (bytes)))
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
@@ -132,7 +148,8 @@ fast_inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_
 fast_inline floats4 floats4_within(floats4 a, float most)
 {
 #if EIGHT_X86
-    return _mm_max_ps(_mm_set1_ps(-most), _mm_min_ps(_mm_set1_ps(most), a));
+    const floats4 high = {most, most, most, most};
+    return EIGHT_ONE(maxps, _mm_max_ps)(-high, EIGHT_ONE(minps, _mm_min_ps)(high, a));
 #else
     for (int k = 0; k < 4; k++) a[k] = most < a[k] ? most : a[k];
     for (int k = 0; k < 4; k++) a[k] = -most > a[k] ? -most : a[k];
