@@ -6,7 +6,8 @@
  *   pixel_explain(&o, NULL)         nothing said; this page's drawing, 19_whitted_tree.svg
  *
  * The walk here is whitted_trace (whitted.h), so that it can speak; that both bring the same light
- * by as many rays is tested each time. The sum of all lines "it adds" is the pixel.
+ * by as many rays is tested each time. What each ray adds is what it finds times its weight: the
+ * sum of all lines "it adds" is the pixel.
  */
 #ifndef WHITTED_LAB_PIXEL_H
 #define WHITTED_LAB_PIXEL_H

@@ -5,6 +5,10 @@
  *   whitted_ray(&tracer, r, in)
  *   ray_tree_draw(x, path)                  an SVG, NULL: none; depth downwards; width and number
  *                                           of a line: weight
+ *
+ *   camera 1 ---.                           from  number of the ray before it, -1: the eye
+ *     reflection 2                          t     where it ended; infinity: in the sky
+ *     refraction 2                          lit   of a shadow ray: part of the light that arrives
  */
 #ifndef WHITTED_LAB_RAY_TREE_H
 #define WHITTED_LAB_RAY_TREE_H

@@ -4,9 +4,9 @@
  *   spd_count_scene(&w, edge, threads, &c)      (edge + 1)^2 eye rays; false: stopped by Ctrl-C
  *
  * The protocol: 512^2 pixels, 513^2 rays through their corners (17.7); depth at most 5, the eye ray
- * being 1; a shadow ray to each light in front of the surface; a reflection ray where Ks > 0, a
- * refraction ray where T > 0, no Fresnel, no colours. In total reflection what would be refracted
- * goes with the reflection ray.
+ * being 1; a shadow ray to each light in front of the surface, none to one behind it; a reflection
+ * ray where Ks > 0, a refraction ray where T > 0, no Fresnel, no colours. In total reflection what
+ * would be refracted goes with the reflection ray.
  *
  * Glass lies behind the faces whose normal the ray meets: from there the index is 1 / ior, and no
  * more is remembered (media.h would ask for bodies; these scenes have none). Shadow rays end at the

@@ -8,7 +8,10 @@
  *    ------- table -------     the tank stands on it: glass on what is opaque
  *
  *   whitted_stage *k = tank_new();        stage_tracer(k); stage_end(k), free(k)
- *   camera c = tank_camera(aspect);       k->w.apart = true: the naive way, face by face
+ *   camera c = tank_camera(aspect);
+ *
+ * k->w.apart = true is the naive way: faces that touch are taken one by one, and the second one is
+ * passed unseen.
  */
 #ifndef WHITTED_LAB_TANK_H
 #define WHITTED_LAB_TANK_H

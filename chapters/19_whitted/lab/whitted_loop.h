@@ -2,10 +2,12 @@
  *
  *   vec3 colour = whitted_ray_loop(&t, r, in)      what whitted_ray gives, but for rounding
  *
- * Nothing is needed on the way back, since each branch knows its weight at the eye: its light is
- * added at once, and the branch is forgotten. What waits is a list of rays, at most one a level and
- * one more, that can be cut, sorted, or handed to another thread; on graphics cards it is the usual
- * way. The sum is taken in another order, so the last bits differ.
+ * Why: a recursion keeps, for every level, all that it will need on the way back. Here nothing is
+ * needed on the way back, since each branch knows its weight at the eye: its light is added at
+ * once, and the branch is forgotten. What waits is a list of rays, at most one a level and one
+ * more. Such a list can be cut, sorted, or handed to another thread; on graphics cards, where a
+ * function may hardly call itself, it is the usual way. The sum is taken in another order, so the
+ * last bits differ.
  *
  * Source: S. Laine, T. Karras, T. Aila, "Megakernels Considered Harmful", HPG 2013.
  */

@@ -1,11 +1,13 @@
 /* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong or inexact.
  *
- * Wrong: what comes out is not uniform, and no number of samples mends the error. Pictures hide it,
- * chi-square shows it (tests/20_sampling.c).
+ * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error
+ * that no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
  *
- *   sample_disk_naive          r = u: half of the points in the inner quarter of the area
+ *   sample_disk_naive          r = u: half of the points in the inner quarter of the area, and
+ *                              their density grows without bound towards the centre
  *   sample_triangle_naive      b1 = u, b2 = v (1 - u): crowds at the corner u = 1
- *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners, by 5.2
+ *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
+ *                              density there is 3^1.5 = 5.2 times that at the faces' middles
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
  *
  * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.

@@ -6,8 +6,8 @@
  *   area of the light     1 / A, as area       cos cos' A / r^2                           (22.23)
  *   its solid angle       1 / Omega            cos theta Omega                            (22.24)
  *
- * cos': at the light. The first two go where the light is not; a sphere is half hidden, and near a
- * light cos' / r^2 varies.
+ * cos': at the light. The first two go where the light is not; the area of a sphere is half hidden,
+ * and near a light cos' / r^2 varies. What is left in the last is cos theta alone.
  *
  *   radiometry_seen k = radiometry_seen_of(p);                                once a point p
  *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, &k, u, v);     u, v in [0, 1); radiance 1

@@ -10,7 +10,7 @@
  *                                                chance; where they land counts
  *   floor_flux(light)                            power of all of them [W]: each carries 1/n of it
  *
- * L = 1, I = 1 along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
+ * L = 1 W/(m^2 sr), I = 1 W/sr along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
  */
 #ifndef RADIOMETRY_FLOORS_H
 #define RADIOMETRY_FLOORS_H

@@ -3,7 +3,8 @@
  *   measure_hard(o)   a table: the largest relative error in 256 inputs, ns of one
  *
  * hard_fill makes random inputs of a case of hard_list; hard_error is the largest error in them,
- * against 32 digits (oracle.h), of the naive form or of the default.
+ * against 32 digits (oracle.h), of the naive form (first.h's of a sphere's solid angle, otherwise
+ * the one that is called so) or of the default.
  */
 #ifndef RADIOMETRY_MEASURE_HARD_H
 #define RADIOMETRY_MEASURE_HARD_H

@@ -10,10 +10,11 @@
  *
  *   photometric = 683 lm/W  integral of V(lambda) radiometric(lambda) d lambda            (22.19)
  *
- *   luminous_efficiency(nm)       V: CIE's table, in between a parabola through its logarithms: off
- *                                 by at most 0.003; 0 outside 380 .. 780 nm
+ *   luminous_efficiency(nm)       V: CIE's table, every 10 nm, in between a parabola through its
+ *                                 logarithms: off by at most 0.003
  *
- * 683 lm/W defines the candela: at 540e12 Hz, about 555 nm, where V = 1.
+ * 683 lm/W defines the candela: at 540e12 Hz, about 555 nm, where V = 1. 0 outside 380 .. 780 nm.
+ * All in double: these are numbers of a table, not of a ray.
  *
  * Sources: CIE 18.2, "The Basis of Physical Photometry", 1983, table 1; BIPM, "The International
  * System of Units", 9th ed., 2019, section 2.3.1.
