@@ -105,7 +105,7 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 #define EIGHT_LANES(name, result)                                                   \
     fast_inline eight name(const eight *x)                                          \
     {                                                                               \
-        eight out;                                                                  \
+        eight out = {0};                                                            \
         for (int k = 0; k < 8; k++) { float a = x[0][k], b = x[1][k]; out[k] = result; } \
         return out;                                                                 \
     }
