@@ -11,7 +11,7 @@
 
 static inline bool environment_read(const char *path, environment *out, failure *f)
 {
-    image im;
+    image im = {0, 0, NULL};
     if (!image_read(path, &im, f)) return false;
     failure why;
     bool ok = environment_of_image(&im, out, &why);
