@@ -37,10 +37,10 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 # each call of libm or libgcc, which are not compiled for AVX, waits (07's winding number: 700 ns a triangle instead of 17).
 NATIVE += $(if $(NATIVE),$(shell $(CC) -Werror -mmove-max=128 -mstore-max=128 -x c -c -o /dev/null /dev/null \
   2>/dev/null && echo -mmove-max=128 -mstore-max=128))
-# For the first Zen gcc makes two halves of eight floats, which meet in memory: 14 builds a fifth slower.
+# For the first Zen gcc makes two halves of eight floats, which meet in memory: 14 takes a quarter longer to build.
 NATIVE += $(if $(NATIVE),$(shell $(CC) -Werror -mprefer-vector-width=256 -x c -c -o /dev/null /dev/null \
   2>/dev/null && echo -mprefer-vector-width=256))
-# Two passes that take an eighth of the compiler's time; without them these programs run as fast.
+# Two passes that take an eighth of the compiler's time; without them programs run as fast (09: a twenty-fifth slower).
 LEAN := $(shell $(CC) -Werror -fno-gcse -fno-schedule-insns2 -x c -c -o /dev/null /dev/null 2>/dev/null && \
   echo -fno-gcse -fno-schedule-insns2)
 # First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
