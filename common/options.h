@@ -118,7 +118,7 @@ static inline const option *option_input(const option *own)
 }
 
 /* Reads the word argv[i] and its value; returns the index of the last argument used. */
-static inline int option_read(const option *lists[2], int argc, char **argv, int i)
+cold_inline int option_read(const option *lists[2], int argc, char **argv, int i)
 {
     const char *word = argv[i], *value = strchr(word, '=');
     const option *o = option_find(lists, word);
@@ -196,7 +196,7 @@ static inline void options_check_stdout(void)
 }
 
 /* Reads the command line. `own` ends with {0} and may be NULL; what is not given stays as it is. */
-static inline options options_read(int argc, char **argv, const char *name, const char *about,
+cold_inline options options_read(int argc, char **argv, const char *name, const char *about,
                                    options defaults, const option *own)
 {
     options o = defaults;

@@ -54,7 +54,7 @@ static inline const char *picture_name(const char *name, const char *model, char
     return room;
 }
 
-static inline int output_done(const options *o)
+cold_inline int output_done(const options *o)
 {
     if (*output_drawn) printf("-> %s\n", output_drawn + 1);
     if (!o->out && !o->own) printf("   the page: chapters/%s/README.md\n", program_name);

@@ -17,9 +17,8 @@
 #define VEC3_H
 #include "posix.h"
 #include <float.h>
-#include <math.h>
 #include <stdbool.h>
-#include <tgmath.h>  /* sqrt, fabs, fma ... choose their float or double form by their argument */
+#include <tgmath.h>  /* math.h; sqrt, fabs, fma .. choose float or double by their argument */
 
 #ifndef REAL
 #define REAL double
@@ -32,6 +31,7 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 #define real_is_float (sizeof(real) == sizeof(float))
 /* A copy at each place that calls it: a call would write the ray anew, and knows no constants. */
 #define fast_inline __attribute__((always_inline)) static inline
+#define cold_inline __attribute__((cold)) static inline  /* runs seldom: small, soon compiled */
 /* From 1 to the next real: 2.2e-16 or 1.2e-7. A rounded operation is off by half of it at most. */
 #define real_epsilon (real_is_float ? (real)FLT_EPSILON : (real)DBL_EPSILON)
 #define real_largest (real_is_float ? (real)FLT_MAX : (real)DBL_MAX)
@@ -86,7 +86,7 @@ static inline bool vfinite(vec3 a) { return isfinite(a.x) && isfinite(a.y) && is
 
 /* a scaled by the power of two that brings its longest component into [1/2, 1): exact, and its
  * square neither overflows nor vanishes. *exponent undoes it: a = ldexp(result, *exponent). */
-__attribute__((cold)) static inline vec3 vscaled(vec3 a, int *exponent)
+cold_inline vec3 vscaled(vec3 a, int *exponent)
 {
     (void)frexp(fabs(vaxis(a, vlongest(a))), exponent);
     return (vec3){ldexp(a.x, -*exponent), ldexp(a.y, -*exponent), ldexp(a.z, -*exponent)};

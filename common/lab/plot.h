@@ -184,7 +184,7 @@ static inline void plot_reference(const plot *p, FILE *out, int k, plot_axis ax,
     plot_text(out, 604, legend + 4, "", p->name[plot_most_series + k]);
 }
 
-static inline void plot_write(const plot *p, FILE *out)
+cold_inline void plot_write(const plot *p, FILE *out)
 {
     plot_axis ax = plot_range(p, false, 80, 560), ay = plot_range(p, true, 370, 50);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 820 430\" width=\"820\" "

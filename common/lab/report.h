@@ -20,7 +20,7 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Saves and frees a plot. */
-static inline void output_plot(const options *o, plot *p, const char *name)
+cold_inline void output_plot(const options *o, plot *p, const char *name)
 {
     char room[512];
     failure f;

@@ -48,7 +48,7 @@ static inline void ray_steps_pixel(int x, int y, void *context)
 }
 
 /* p(t) for t in [0, 64], every 1/64, seen from close by. */
-static inline void ray_draw_steps(const options *o)
+cold_inline void ray_draw_steps(const options *o)
 {
     image im = image_new(o->width, o->height);
     int panel = (o->width - (ray_panels - 1) * ray_gap) / ray_panels;
@@ -87,7 +87,7 @@ static inline void ray_draw_point(figure *g, ray r, double t)
                  t * (double)vlength(r.d));
 }
 
-static inline void ray_draw_interval(const options *o)
+cold_inline void ray_draw_interval(const options *o)
 {
     figure g = figure_begin(o, "01_ray_interval.svg", 820, 330);
     ray r = ray_from((vec3){0, 0, 0}, vec(0.8, 0.6, 0));  /* a 3-4-5 triangle: |d| = 1, times 1.5 */

@@ -106,7 +106,7 @@ static inline void camera_draw_side(figure *g, first_camera c, bool parallel)
     else figure_text(g, d, top, -8, -12, FIGURE_RIGHT, FIGURE_BLACK, "top = tan(\xcf\x86/2)");
 }
 
-static inline void camera_draw_geometry(const options *o)
+cold_inline void camera_draw_geometry(const options *o)
 {
     camera_sheet s = {.g = figure_begin(o, "02_camera_geometry.svg", 820, camera_sheet_h)};
     first_camera c = first_camera_at(vec(0, 0, 0), vec(0, 0, -1), vec(0, 1, 0), 56, 8, 6);
@@ -137,7 +137,7 @@ static inline void camera_draw_geometry(const options *o)
 }
 
 /* The three faces of a block that the eye sees, and their edges carried on. */
-static inline void camera_draw_vanishing(const options *o)
+cold_inline void camera_draw_vanishing(const options *o)
 {
     static const char *const colour[3] = {FIGURE_RED, FIGURE_GREEN, FIGURE_BLUE};
     camera_sheet s = {.g = figure_begin(o, "02_camera_vanishing.svg", 560, 450)};

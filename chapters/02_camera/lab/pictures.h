@@ -20,7 +20,7 @@ static const vec3 camera_eye = {9, 7.5, 7}, camera_target = {1.7, 1.9, 1.6}, cam
 static inline void camera_must(bool ok, failure why) { if (!ok) fail(why); }
 
 /* Above: parallel; below: perspective. Left: into the corner; right: level with the wall y = 0. */
-static inline void camera_draw_four(const options *o, camera_view v)
+cold_inline void camera_draw_four(const options *o, camera_view v)
 {
     camera_view four[4] = {v, v, v, v};
     static const char *const tag[] = {"orthographic", "oblique", "perspective", "off-axis"};
@@ -77,7 +77,7 @@ static inline ray camera_aim_far(const camera_view *v, real x, real y)
     return r;
 }
 
-static inline void camera_draw_slips(const options *o, camera_view v)
+cold_inline void camera_draw_slips(const options *o, camera_view v)
 {
     int side = o->quick ? 100 : 400;
     const panels_shape g = {2 * side + 6, side, 2, 1, 6, 1, true};
@@ -95,7 +95,7 @@ static inline void camera_draw_slips(const options *o, camera_view v)
     camera_draw_panels(o, q, g, "02_camera_far.png", false);
 }
 
-static inline void camera_draw_zone_plate(const options *o, camera_view v)
+cold_inline void camera_draw_zone_plate(const options *o, camera_view v)
 {
     static const camera_pattern rings = {zone_plate, 0.0131};  /* too fine beyond 120 pixels */
     static const char *const tag[] = {"1 ray", "64, box", "64, Gaussian"};

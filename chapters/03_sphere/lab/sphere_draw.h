@@ -101,7 +101,7 @@ static inline void sphere_measured(figure *g, double x0, double x1, double y, do
     figure_text(g, middle, y, 0, down, FIGURE_MIDDLE, colour, name);
 }
 
-static inline void sphere_draw_geometry(const options *o)
+cold_inline void sphere_draw_geometry(const options *o)
 {
     const sphere ball = {{0, 0, 0}, 1};
     const ray r = ray_from(vec(-2.9, 0.55, 0), vec(0.8, 0, 0));

@@ -80,7 +80,7 @@ static inline void sphere_main_table(const options *o)
     output_table(o, &t);
 }
 
-static inline void sphere_plot_edge(const options *o)
+cold_inline void sphere_plot_edge(const options *o)
 {
     sphere_surveys all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
     plot p = plot_new("How near the limb a ray is misclassified", "distance [R]", "edge [R]",

@@ -88,7 +88,7 @@ static vec3 dome_colour(const void *context, real x, real y)
     return vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
 }
 
-static inline void dome_draw(const options *o)
+cold_inline void dome_draw(const options *o)
 {
     int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
     panels_shape g = {o->width, o->height, dome_panels, 1, gap, 1, true};

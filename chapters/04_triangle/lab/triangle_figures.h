@@ -44,7 +44,7 @@ static inline void figure_corners(figure *g, triangle t)
     figure_text(g, xy[4], xy[5], 0, -10, FIGURE_MIDDLE, FIGURE_BLACK, "*c*");
 }
 
-static inline void triangle_draw_areas(const options *o)
+cold_inline void triangle_draw_areas(const options *o)
 {
     const triangle t = {{0, 0, 0}, {1.9, 0.1, 0}, {0.7, 1.6, 0}};
     const vec3 inside = triangle_at(t, (real)0.4, (real)0.28);
@@ -68,7 +68,7 @@ static inline void triangle_draw_areas(const options *o)
     figure_end(&g);
 }
 
-static inline void triangle_draw_edges(const options *o)
+cold_inline void triangle_draw_edges(const options *o)
 {
     /* The ray begins in the origin, and goes down the z axis, a little askew. */
     const ray r = ray_from((vec3){0, 0, 0}, vec(0.2, -0.1, -1));

@@ -134,7 +134,7 @@ static inline void triangle_main_table(const options *o)
     output_table(o, &t);
 }
 
-static inline void triangle_plot_slips(const options *o)
+cold_inline void triangle_plot_slips(const options *o)
 {
     plot p = plot_new("Rays aimed at vertices of a closed mesh", "translation [R]", "slips [%]",
                       PLOT_LOG_X);

@@ -147,7 +147,7 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
                 "found and proven: all four");
 }
 
-static inline void implicit_draw_roots(const options *o)
+cold_inline void implicit_draw_roots(const options *o)
 {
     implicit_surface s = implicit_torus_distance(&implicit_tube);
     s.f = implicit_recorded_f, s.range = implicit_recorded_range;

@@ -117,7 +117,7 @@ static inline bool implicit_render(implicit_view v, int samples, int threads, im
     return whole;
 }
 
-static inline void implicit_draw(const options *o)
+cold_inline void implicit_draw(const options *o)
 {
     image im = image_new(o->width, o->height);
     implicit_view v = {.s = implicit_barth(&implicit_barth_radius), .how = implicit_sure};
@@ -142,7 +142,7 @@ static inline void implicit_draw_row(const options *o, const implicit_view *v,
     image_free(&one);
 }
 
-static inline void implicit_draw_shapes(const options *o)
+cold_inline void implicit_draw_shapes(const options *o)
 {
     static const char *const title[] = {"gyroid, by intervals", "smooth union, sphere tracing",
                                         "torus, by intervals"};
@@ -157,7 +157,7 @@ static inline void implicit_draw_shapes(const options *o)
     implicit_draw_row(o, v, title, 3, "05_implicit_shapes.png");
 }
 
-static inline void implicit_draw_missed(const options *o)
+cold_inline void implicit_draw_missed(const options *o)
 {
     static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
     implicit_view v[2] = {{.s = implicit_barth(&implicit_barth_radius)}};

@@ -94,7 +94,7 @@ static vec3 csg_panel_colour(const void *context, real x, real y)
     return vscale(paint, (real)0.22 + (real)0.78 * headlight(n, r.d).x);
 }
 
-static inline void csg_draw_inside(const options *o)
+cold_inline void csg_draw_inside(const options *o)
 {
     static const char *const title[6] = {
         "t > 0: the eye outside", "t > 0: the eye in a hole", "t > 0: the eye in the solid",
@@ -133,7 +133,7 @@ static bool csg_hit_coarse(const csg *c, ray r, hit *out)
     return csg_hit_tolerant(c, r, out);
 }
 
-static inline void csg_draw_pocket(const options *o)
+cold_inline void csg_draw_pocket(const options *o)
 {
     enum { w = 312, h = 300 };
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));

@@ -69,7 +69,7 @@ static inline void csg_figure_node(figure *g, csg_model m, uint32_t i, double x,
     figure_text(g, 0, 0, 22, 5, FIGURE_LEFT, FIGURE_BLACK, what[w]);
 }
 
-static inline void csg_draw_tree(const options *o)
+cold_inline void csg_draw_tree(const options *o)
 {
     const ray r = ray_from(vec(-0.25, -0.3, 0.1), vec(0.8, 0.66, 0.5));
     csg_scene s = csg_scene_of("difference(intersection(sphere 0 0 0 1.32, box -1 -1 -1 1 1 1), "

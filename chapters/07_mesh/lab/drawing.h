@@ -29,7 +29,7 @@ static inline void arrays_triangle(figure *g, const mesh *m, size_t i, const cha
                  colour, "%zu", i);
 }
 
-static inline void draw_arrays(const options *o, const char *name)
+cold_inline void draw_arrays(const options *o, const char *name)
 {
     static const char *const line[] = {"v 0 0 0", "v 2 0 0", "v 2 1.6 0", "v 0 1.6 0",
                                        "v 1 2.6 0", "f 1 2 3 4", "f 4 3 5"};

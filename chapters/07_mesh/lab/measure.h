@@ -34,7 +34,7 @@ static inline double inside_run(void *context)
     return sum;
 }
 
-static inline void inside_report(const options *o)
+cold_inline void inside_report(const options *o)
 {
     static inside_batch b[inside_methods];
     double seconds[inside_methods];
@@ -127,7 +127,7 @@ static inline double cost_run(void *context)
 
 /* The first n/4^k triangles of m as meshes of their own, k = 0..5; and all of them by first.h. The
  * last line: the exponent of n, from the smallest and the largest. */
-static inline void cost_report(const options *o, const mesh *m, bool is_main)
+cold_inline void cost_report(const options *o, const mesh *m, bool is_main)
 {
     table t = table_new("Closest hit by brute force",
                         "method|triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");

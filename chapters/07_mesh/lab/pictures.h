@@ -64,7 +64,7 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     return c;
 }
 
-static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
+cold_inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
 {
     mesh_view w = {camera_fit(m, up, im->width, im->height), im->width, im->height, m};
     int side = 1;
@@ -99,7 +99,7 @@ static inline void slice_point(int x, int y, void *context)
                   : vmadd(out, vsub(in, out), (real)fmin(fmax(w[k], 0), 1)));
 }
 
-static inline void draw_slices(const options *o, const char *name)
+cold_inline void draw_slices(const options *o, const char *name)
 {
     static const char *const title[] = {"parity of hits", "parity of crossings", "winding number",
                                         "parity of hits", "parity of crossings", "winding number"};

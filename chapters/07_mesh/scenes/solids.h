@@ -145,7 +145,7 @@ static inline void carved_free(void *all)
 }
 
 /* Kind by kind, as each has its colour. */
-static inline bool make_solids(int k, world *w, failure *f)
+cold_inline bool make_solids(int k, world *w, failure *f)
 {
     static const vec3 paint[carved_kinds] = {{0.85, 0.2, 0.12}, {0.2, 0.45, 0.85}, {0.8, 0.75, 0.6},
                                              {0.3, 0.7, 0.4}, {0.9, 0.6, 0.15}, {0.6, 0.35, 0.7}};

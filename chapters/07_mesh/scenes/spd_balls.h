@@ -41,7 +41,7 @@ static inline void balls_add(world *w, const vec3 d[9], sphere s, vec3 direction
     }
 }
 
-static inline bool spd_balls(int scale, world *w, failure *f)
+cold_inline bool spd_balls(int scale, world *w, failure *f)
 {
     size_t n = 1, shapes = 2;
     vec3 d[9];

@@ -57,7 +57,7 @@ static inline finish gear_finish(int x, int y, int z)
     return (finish){c, 1, 0, 0, 0, 0};
 }
 
-static inline bool spd_gears(int scale, world *w, failure *f)
+cold_inline bool spd_gears(int scale, world *w, failure *f)
 {
     size_t gears = (size_t)scale * (size_t)scale * (size_t)scale;
     real R = 1 / ((real)scale - (real)0.05 * (real)(scale - 1)), step = (real)1.9 * R;

@@ -103,7 +103,7 @@ static inline void mount_balls(world *w)
     }
 }
 
-static inline bool spd_mount(int scale, world *w, failure *f)
+cold_inline bool spd_mount(int scale, world *w, failure *f)
 {
     mount_heights h = mount_raise(scale);
     size_t n = (size_t)1 << scale;

@@ -55,7 +55,7 @@ static inline void rings_copy(world *w, vec3 d[ring_count][ring_points], vec3 ce
     }
 }
 
-static inline bool spd_rings(int scale, world *w, failure *f)
+cold_inline bool spd_rings(int scale, world *w, failure *f)
 {
     size_t n = (size_t)scale, copies = n * (n + 1) * (2 * n + 1) / 6;
     real s = 1 / sin(pi / 8), far = s * (real)(scale + 1), half = (real)1.01 * (far + s);

@@ -31,7 +31,7 @@ static inline void tetra_add(world *w, vec3 centre, real reach, int depth)
                                                   tetra_corner(centre, reach, face[k][2])}));
 }
 
-static inline bool spd_tetra(int scale, world *w, failure *f)
+cold_inline bool spd_tetra(int scale, world *w, failure *f)
 {
     real up = 0.816497, at = -0.004103;
     world_room(w, (size_t)1 << 2 * scale, 0, 1);

@@ -42,7 +42,7 @@ static inline void tree_add(world *w, tree_frame f, real base, int depth)
     for (int k = 0; depth > 0 && k < 2; k++) tree_add(w, tree_child(&f, k), top, depth - 1);
 }
 
-static inline bool spd_tree(int scale, world *w, failure *f)
+cold_inline bool spd_tree(int scale, world *w, failure *f)
 {
     static const double lamp[7][3] = {{-5, 5, 50},  {30, -30, 30}, {-40, -30, 20}, {10, 30, 40},
                                        {-30, 40, 10}, {50, 25, 20},  {-10, -60, 30}};

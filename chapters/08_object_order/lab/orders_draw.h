@@ -32,7 +32,7 @@ static inline void orders_panel(image *im, int x0, int y0, const raster *s, cons
 }
 
 /* Upper row: after a third of the triangles, two thirds, all. Lower: after so many pixels. */
-static inline void orders_draw(const options *o)
+cold_inline void orders_draw(const options *o)
 {
     static const char *const title[6] = {
         "for each triangle: a third done", "two thirds", "all",
@@ -74,7 +74,7 @@ static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
 }
 
 /* The floor in front of the eye alone: with its corners behind, first.h would leave it out. */
-static inline void orders_draw_flat(const options *o)
+cold_inline void orders_draw_flat(const options *o)
 {
     static const char *const title[3] = {"first.h", "raster.h", "other triangle or tile: orange"};
     const int w = o->quick ? 79 : 316, h = o->quick ? 75 : 300;
@@ -118,7 +118,7 @@ static inline bool orders_darken(orders_shade j, int threads)
     return parallel_pixels(j.s->nx, j.s->ny, threads, "shadows", orders_dark, &j);
 }
 
-static inline void orders_draw_shadow(const options *o)
+cold_inline void orders_draw_shadow(const options *o)
 {
     static const char *const title[4] = {"shadow rays", "map of 128 x 128, no bias: acne",
                                          "bias 0.04: loose from the foot",
@@ -159,7 +159,7 @@ static inline raster orders_reflected(const mesh *m, camera c, const raster *s)
     return t;
 }
 
-static inline void orders_draw_mirror(const options *o)
+cold_inline void orders_draw_mirror(const options *o)
 {
     const int w = o->quick ? 144 : 720, h = o->quick ? 80 : 400;
     image im = image_new(w, h);
@@ -184,7 +184,7 @@ static inline void orders_draw_mirror(const options *o)
 
 /* Drawn by raster_mesh itself: a dot a pixel in the colour of the triangle that got it. The window
  * is the picture: one pixel is one unit, y downwards. */
-static inline void orders_draw_edges(const options *o)
+cold_inline void orders_draw_edges(const options *o)
 {
     enum { nx = 16, ny = 9 };
     const double at[4][2] = {{1.2, 1.7}, {12.5, 0.5}, {15.6, 6.9}, {4.5, 8.5}};

@@ -103,7 +103,7 @@ static inline void slabs_bars(figure *g, real t[3][2], const char *title)
                 "_t_~exit~");
 }
 
-static inline void draw_slabs(const options *o)
+cold_inline void draw_slabs(const options *o)
 {
     static const char *const title[2] = {
         "this ray: in all three slabs from _t_~enter~ to _t_~exit~",

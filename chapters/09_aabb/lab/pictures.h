@@ -60,7 +60,7 @@ static vec3 room_colour(const void *context, real x, real y)
     return c;
 }
 
-static inline void draw_room(const options *o)
+cold_inline void draw_room(const options *o)
 {
     panels_shape g = {o->width, o->height, room_parts, 1, o->width >= 64 ? 6 : 0, 2, true};
     const int w = panels_wide(g), h = o->height;
@@ -101,7 +101,7 @@ static vec3 cell_seen(const void *context, real px, real py)
     return cell_key[truth == answer ? !truth : truth ? 2 : 3].colour;
 }
 
-static inline void draw_aligned(const options *o)
+cold_inline void draw_aligned(const options *o)
 {
     static aabb_test *const test[] = {first_aabb_hit, aabb_hit_closed, aabb_hit, mine_aabb_hit};
     const panel p[] = {{"first", &test[0]}, {"closed, <=", &test[1]}, {"aabb_hit", &test[2]},

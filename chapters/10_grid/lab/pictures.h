@@ -101,7 +101,7 @@ static inline void grid_draw(const options *o, const grid_sheet *g, const char *
     image_free(&im);
 }
 
-static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
+cold_inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
                              const char *path)
 {
     char name[512];
@@ -119,7 +119,7 @@ static inline void draw_grid(const options *o, const trial_scene *s, grid_option
     grid_draw(o, &g, picture_name("10_grid.png", path, name), true);
 }
 
-static inline void draw_early(const options *o)
+cold_inline void draw_early(const options *o)
 {
     int width = o->quick ? 120 : 760, height = o->quick ? 60 : 330, n = o->quick ? 1 : 2;
     trial_scene s;
@@ -133,7 +133,7 @@ static inline void draw_early(const options *o)
     trial_scene_free(&s);
 }
 
-static inline void draw_stadium(const options *o)
+cold_inline void draw_stadium(const options *o)
 {
     const real most = 1e5;
     int side = o->quick ? 60 : 240;

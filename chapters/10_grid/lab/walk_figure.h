@@ -101,7 +101,7 @@ static inline void walk_legend(figure *g)
     }
 }
 
-static inline void draw_walk(const options *o)
+cold_inline void draw_walk(const options *o)
 {
     figure g = figure_begin(o, "10_grid_walk.svg", walk_wide * walk_unit + 120,
                             walk_high * walk_unit + 165);

@@ -137,7 +137,7 @@ static inline void table_of_stadium(const options *o)
     output_extra_table(o, &out);
 }
 
-static inline void plot_of_depth(const options *o)
+cold_inline void plot_of_depth(const options *o)
 {
     static const char *const name[3] = {"teapot", "teapot in a stadium", "soup"};
     plot work = plot_new("Work a ray against depth, leaves of 8", "depth", "nodes and tests a ray",

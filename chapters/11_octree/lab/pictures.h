@@ -93,7 +93,7 @@ static inline image octree_legend(const image *im, bool depths)
     return sheet;
 }
 
-static inline void draw_octree(const options *o, const trial_scene *s, const char *path)
+cold_inline void draw_octree(const options *o, const trial_scene *s, const char *path)
 {
     const octree_options how = octree_defaults;
     vec3 lo, hi;
@@ -141,7 +141,7 @@ static inline vec3 fault_colour(const void *picture, real x, real y)
 
 /* Above 60 large triangles in perspective, below the teapot along an axis, by orthographic rays:
  * left the textbook's walk, right octree_hit. */
-static inline void draw_faults(const options *o)
+cold_inline void draw_faults(const options *o)
 {
     static const octree_options how = {4, 6, true, true, (size_t)1 << 28};
     static const char *const title[4] = {

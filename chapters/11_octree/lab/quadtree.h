@@ -62,7 +62,7 @@ static inline void quadtree_line(figure *g, vec3 a, vec3 b, const char *colour, 
                 FIGURE_WHOLE);
 }
 
-static inline void draw_quadtree(const options *o)
+cold_inline void draw_quadtree(const options *o)
 {
     static const char *const legend[3] = {"an empty leaf", "a leaf with curves in it",
                                           "asked by the ray, in this order"};

@@ -89,7 +89,7 @@ static inline void figure_parts(kdtree_figure *f, double length)
     figure_text(g, length, 0, 0, 24, FIGURE_MIDDLE, FIGURE_BLACK, "hit");
 }
 
-static inline void draw_figure(const options *o)
+cold_inline void draw_figure(const options *o)
 {
     static kdtree_figure f;
     kdtree_options how = kdtree_defaults;

@@ -16,7 +16,7 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* A title above each panel, and the colours below all. */
-static inline bool draw_strategies(const options *o, const trial_scene *s, bool z_up, image *all)
+cold_inline bool draw_strategies(const options *o, const trial_scene *s, bool z_up, image *all)
 {
     static const char *const title[4] = {"middle, leaves of 16", "median, leaves of 16",
                                          "SAH, leaves of 16", "SAH, as fine as the cost says"};
@@ -50,7 +50,7 @@ static inline vec3 final_colour(const void *picture, real x, real y)
 }
 
 /* Large triangles through each other: the first hit of any leaf as the closest, and the closest. */
-static inline void draw_final(const options *o)
+cold_inline void draw_final(const options *o)
 {
     enum { gap = 8 };
     int side = o->quick ? 40 : 400;

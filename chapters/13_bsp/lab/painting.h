@@ -69,7 +69,7 @@ static inline void painting_draw(figure *g, const painter *p, const uint32_t *or
     for (size_t k = 0; k < n; k++) painting_number(g, piece, n, k);
 }
 
-static inline void draw_cyclic(const options *o)
+cold_inline void draw_cyclic(const options *o)
 {
     static const char *const title[2] = {"sorted by distance: wrong", "in the order of the tree"};
     figure g = figure_begin(o, "13_bsp_painter.svg", 840, 350);

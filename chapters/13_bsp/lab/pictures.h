@@ -59,7 +59,7 @@ static inline vec3 slice_colour(const void *slice, real x, real y)
 /* Two panels and four pixels between them; in a tiny picture they touch, or the last one covers. */
 static inline int panel_side(int side) { return side > 32 ? side / 2 - 2 : (side + 1) / 2; }
 
-static inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image *all)
+cold_inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image *all)
 {
     bool whole = true;
     vec3 lo, hi;

@@ -75,7 +75,7 @@ static inline void strip_panel(figure *g, plane_tree *p, const mesh *m, int pane
                  p->cells, p->passed, asked);
 }
 
-static inline void draw_strip(const options *o)
+cold_inline void draw_strip(const options *o)
 {
     figure g = figure_begin(o, "13_bsp_strip.svg", 960, 380);
     mesh low = plane_walls(0x1p-12), high = plane_walls(1000);

@@ -120,7 +120,7 @@ static inline void boxes_tree(figure *g, const boxes_figure *x)
         }
 }
 
-static inline void draw_nested(const options *o)
+cold_inline void draw_nested(const options *o)
 {
     figure g = figure_begin(o, "14_bvh_nested.svg", 990, 390);
     shape ball[boxes_balls];

@@ -146,7 +146,7 @@ static inline void table_of_slivers(const options *o)
     trial_end(row, n), trial_scene_free(&s);
 }
 
-static inline void plot_of_pareto(const options *o, const trial_scene *s)
+cold_inline void plot_of_pareto(const options *o, const trial_scene *s)
 {
     plot p = plot_new("Each rule with leaves of 16, 8, 4, 2", "build [ns a triangle]",
                       "diffuse ray [ns]", PLOT_LOG_X);

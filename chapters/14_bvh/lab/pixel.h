@@ -142,7 +142,7 @@ static inline void pixel_draw(const options *o, const pixel_walk *w, const char 
     figure_end(&g);
 }
 
-static inline void pixel_explain(const options *o, const mesh *m, bvh_options how, bool z_up,
+cold_inline void pixel_explain(const options *o, const mesh *m, bvh_options how, bool z_up,
                                  const char *text)
 {
     int xy[2];

@@ -9,7 +9,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_visits(const options *o, const trial_scene *s)
+cold_inline void draw_visits(const options *o, const trial_scene *s)
 {
     enum { most = 160, bar = 44 };
     static const char *const rule[4] = {"cycle", "longest", "median", "sah"};

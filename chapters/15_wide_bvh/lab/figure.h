@@ -56,7 +56,7 @@ static inline void lanes_cells(figure *g, int row, const char *name, const eight
     }
 }
 
-static inline void draw_lanes(const options *o)
+cold_inline void draw_lanes(const options *o)
 {
     static const char *const side[6] = {"low _x_", "low _y_", "low _z_", "high _x_", "high _y_",
                                         "high _z_"};

@@ -14,7 +14,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_forest(const options *o, bool naive)
+cold_inline void draw_forest(const options *o, bool naive)
 {
     forest w;
     instances x;
@@ -67,7 +67,7 @@ static inline vec3 pot_colour(const void *context, real px, real py)
     return (vec3){real_min(2 * off, 1), off, real_max(2 * off - 1, 0)};
 }
 
-static inline void draw_normals(const options *o)
+cold_inline void draw_normals(const options *o)
 {
     static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, 0.3}, {0.3, 1, 1}, {0.75, 0.75, 1.45}};
     static const char *const name[pot_rows] = {"A^T n", "M n",

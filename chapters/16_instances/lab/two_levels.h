@@ -83,7 +83,7 @@ static inline affine two_place(double x, double y, double sx, double sy, double 
     return affine_then(a, affine_translation(vec(x, y, 0)));
 }
 
-static inline void draw_two_levels(const options *o)
+cold_inline void draw_two_levels(const options *o)
 {
     const instance list[two_instances] = {{two_place(1.5, 3.7, 0.5, 0.6, 14), 0},
                                           {two_place(3.4, 1.15, 0.8, 0.6, -25), 0},

@@ -55,7 +55,7 @@ static inline int example_path(const example *e, uint32_t wanted, size_t path[64
     return depth;
 }
 
-static inline void closed_draw(const options *o)
+cold_inline void closed_draw(const options *o)
 {
     static const char *const asked[aimed_ways] = {"as it came", "ends at its hit",
                                                     "begins there, too"};

@@ -43,7 +43,7 @@ static inline void html_processor(FILE *out)
     if (in) fclose(in);
 }
 
-static inline html_report *html_begin(const options *o, const char *path, const char *title)
+cold_inline html_report *html_begin(const options *o, const char *path, const char *title)
 {
     static const char *const style =
         "body { font: 16px/1.5 sans-serif; max-width: 70em; margin: 0 auto; padding: 1em; "
@@ -160,7 +160,7 @@ static inline void html_picture(const html_report *r, const image *im, const cha
     free(png);
 }
 
-static inline void html_end(html_report *r)
+cold_inline void html_end(html_report *r)
 {
     failure f;
     if (r->path) {

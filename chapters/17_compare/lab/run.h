@@ -36,7 +36,7 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
 }
 
 /* The visits of each pixel's ray; save: into the chapter's picture, too. */
-static inline void draw_visits(const compare_settings *c, const world *w, bool save)
+cold_inline void draw_visits(const compare_settings *c, const world *w, bool save)
 {
     bool whole;
     image im = visits_draw(c, w, &whole);

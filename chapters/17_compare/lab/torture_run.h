@@ -118,7 +118,7 @@ static inline void torture_check_csv(const char *folder, const char *csv)
             die(2, "--csv %.200s: is a file of --torture", csv);
 }
 
-static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
+cold_inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
     failure f;
     size_t faults = 0;

@@ -98,7 +98,7 @@ static inline void table_of_needles(const options *o)
     output_extra_table(o, &t);
 }
 
-static inline void plot_of_leaving(const options *o)
+cold_inline void plot_of_leaving(const options *o)
 {
     plot time = plot_new("Acne and leaks, triangles of size 100, against time",
                          "time of hit point and ray [ns]", "the larger of acne and leak [%]",

@@ -19,7 +19,7 @@ typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_gallery(const options *o, int n, bool spend_all)
+cold_inline void draw_gallery(const options *o, int n, bool spend_all)
 {
     gallery *g = gallery_new(n, 0);
     image im = image_new(o->width, o->height);
@@ -53,7 +53,7 @@ static inline ray leave_fixed_3e2(surface s, vec3 w)
 
 /* Above: all of it; below: where the card meets the floor. Left: float and a fixed eps; right:
  * bounds. */
-static inline void draw_acne(const options *o)
+cold_inline void draw_acne(const options *o)
 {
     const real T = 10000;
     int w = o->quick ? 96 : 400, h = w * 9 / 16;
@@ -126,7 +126,7 @@ static inline vec3 edge_colour(const void *context, real x, real y)
     return (vec3){grey, grey, grey};
 }
 
-static inline void draw_terminator(const options *o)
+cold_inline void draw_terminator(const options *o)
 {
     enum { gap = 6 };
     int size = o->quick ? 60 : 360;
@@ -169,7 +169,7 @@ static inline void figure_beam(figure *g, double middle, double degrees)
                  (double)at.E.x);
 }
 
-static inline void draw_tilt(const options *o)
+cold_inline void draw_tilt(const options *o)
 {
     figure g = figure_begin(o, "18_shade_tilt.svg", 760, 430);
     figure_origin(&g, 130, 275, 115);

@@ -34,7 +34,7 @@ static inline void figure_fronts(figure *g, vec3 d, double step, int n, real sid
     }
 }
 
-static inline void draw_wavefronts(const options *o)
+cold_inline void draw_wavefronts(const options *o)
 {
     const double n1 = 1, n2 = 1.5, angle = 50 * degree, step = 1.2;
     vec3 d = vec(sin(angle), -cos(angle), 0), up = {0, 1, 0};
@@ -98,7 +98,7 @@ static inline void figure_out_of_water(figure *g, figure_point lamp, double degr
     figure_print(g, out.x, out.y, 8, 4, FIGURE_LEFT, FIGURE_BLUE, "%.0f %%", 100 * (1 - R));
 }
 
-static inline void draw_critical(const options *o)
+cold_inline void draw_critical(const options *o)
 {
     static const double fan[] = {0, 15, 30, 40, 45, 48, 55, 65};
     const figure_point lamp = {0, -1.6};

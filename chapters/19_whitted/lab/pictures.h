@@ -45,7 +45,7 @@ static inline bool whitted_draw(whitted_view *v, int threads)
     return whole;
 }
 
-static inline void draw_two_spheres(const options *o, bool spend_all)
+cold_inline void draw_two_spheres(const options *o, bool spend_all)
 {
     whitted_stage *s = two_spheres_new();
     image im = image_new(o->width, o->height);
@@ -81,7 +81,7 @@ static inline void draw_panels(const options *o, const char *name, whitted_stage
     image_free(&im), stage_end(s), free(s);
 }
 
-static inline void draw_tank(const options *o)
+cold_inline void draw_tank(const options *o)
 {
     static const char *const title[] = {"each face by itself", "faces at one place as one"};
     whitted_stage *k = tank_new();
@@ -91,7 +91,7 @@ static inline void draw_tank(const options *o)
                 title, 2);
 }
 
-static inline void draw_depths(const options *o)
+cold_inline void draw_depths(const options *o)
 {
     static const char *const title[] = {"depth 1", "depth 2: mirrors", "depth 3: glass", "depth 8"};
     whitted_stage *f = forty_new();

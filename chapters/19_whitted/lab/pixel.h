@@ -26,7 +26,7 @@ static inline void pixel_adds(int deep, const char *equation, vec3 weight, vec3 
     if (!vzero(L)) explain_vector(deep, equation, "it adds", vmul(weight, vmul(left, L)));
 }
 
-static inline void pixel_hit(const ray_tree *x, const whitted_branch *b, const whitted_place *p,
+cold_inline void pixel_hit(const ray_tree *x, const whitted_branch *b, const whitted_place *p,
                              int deep)
 {
     explain_line(deep, "(1.2)", "it hits %s at t = %.6g, p = (%.6g, %.6g, %.6g)",
@@ -123,7 +123,7 @@ static inline vec3 pixel_visit(tracer *t, const ray_tree *x, whitted_branch *b)
     return vmul(p.left, L);
 }
 
-static inline void pixel_explain(const options *o, const char *text)
+cold_inline void pixel_explain(const options *o, const char *text)
 {
     int xy[2] = {345, 140}, w = text ? o->width : 640, h = text ? o->height : 480;
     char room[512];

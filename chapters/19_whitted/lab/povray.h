@@ -47,7 +47,7 @@ static inline void povray_write(const whitted_stage *w, FILE *f)
     }
 }
 
-static inline void povray_race(const char *path)
+cold_inline void povray_race(const char *path)
 {
     whitted_stage *w = forty_new();
     file_writer out;

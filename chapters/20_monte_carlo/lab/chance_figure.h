@@ -111,7 +111,7 @@ static inline void chance_densities(figure *g)
     figure_text(g, 0.1, 0.4, 0, 14, FIGURE_LEFT, FIGURE_GREEN, "π times _p_ = (4 − 2_x_) / 3");
 }
 
-static inline void draw_chance(const options *o)
+cold_inline void draw_chance(const options *o)
 {
     figure g = figure_begin(o, "20_monte_carlo_chance.svg", 1080, 350);
     figure_origin(&g, 40, 275, 235);

@@ -81,7 +81,7 @@ static inline point2 points_place(const monte_carlo_panels *p, int panel, uint32
     return sampler_pair(&s);
 }
 
-static inline void draw_points(const options *o)
+cold_inline void draw_points(const options *o)
 {
     const char *title[panels];
     for (int k = 0; k < panels; k++)
@@ -106,7 +106,7 @@ static inline point2 wrong_place(const monte_carlo_panels *p, int panel, uint32_
     return (point2){(s * w.x + 1) / 2, (s * w.y + 1) / 2};
 }
 
-static inline void draw_wrong(const options *o)
+cold_inline void draw_wrong(const options *o)
 {
     static const char *const title[panels] = {
         "disk: r = u", "triangle: v (1 - u)", "cube, normalised", "theta = pi/2 u",

@@ -128,7 +128,7 @@ static inline void extent_lens(figure *g)
     }
 }
 
-static inline void draw_extent(const options *o)
+cold_inline void draw_extent(const options *o)
 {
     figure g = figure_begin(o, "21_distributed_extent.svg", 1080, 330);
     figure_origin(&g, 195, 250, 140);

@@ -17,14 +17,14 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool draw_view(const options *o, distributed_view *v, int samples, image *im)
+cold_inline bool draw_view(const options *o, distributed_view *v, int samples, image *im)
 {
     v->samples = (uint32_t)samples, v->seed = o->seed;
     return distributed_draw(v, im, o->threads);
 }
 
 /* The first is the main picture, which may have other effects. */
-static inline void draw_showroom(const options *o, int effects, bool all, const char *name)
+cold_inline void draw_showroom(const options *o, int effects, bool all, const char *name)
 {
     bool main_one = strcmp(name, "21_distributed.png") == 0;
     showroom *g = showroom_new(o->quick ? 5 : 16);
@@ -43,7 +43,7 @@ static inline void draw_showroom(const options *o, int effects, bool all, const 
     image_free(&im), showroom_free(g);
 }
 
-static inline void draw_motion(const options *o)
+cold_inline void draw_motion(const options *o)
 {
     pool *g = pool_new(1);
     image im = image_new(640, 360);
@@ -57,7 +57,7 @@ static inline void draw_motion(const options *o)
 
 enum { pictures_gap = 4 };
 
-static inline void draw_teapot(const options *o)
+cold_inline void draw_teapot(const options *o)
 {
     static const int shine[3] = {0, 600, 40};  /* 0: a perfect mirror */
     static const char *const title[3] = {"a perfect mirror", "a lobe, s = 600", "a lobe, s = 40"};
@@ -77,7 +77,7 @@ static inline void draw_teapot(const options *o)
 }
 
 /* Exposed twice as long as the showroom. */
-static inline void draw_box(const options *o)
+cold_inline void draw_box(const options *o)
 {
     static const char *const title[4] = {"1: point light", "2: area light", "3: ambient term",
                                          "4: ambient occlusion"};

@@ -100,7 +100,7 @@ static inline void angles_meters(figure *g)
                 "farther: less of each point, more points");
 }
 
-static inline void draw_angles(const options *o)
+cold_inline void draw_angles(const options *o)
 {
     figure g = figure_begin(o, "22_radiometry_angles.svg", 1040, 350);
     figure_origin(&g, 130, 235, 175), angles_patch(&g);

@@ -73,7 +73,7 @@ static inline vec3 floor_place(const void *context, real x, real y)
     return floor_colour(f, (floor_light)light, row, i * px - floor_half, floor_half - j * px, px);
 }
 
-static inline void draw_floor(const options *o)
+cold_inline void draw_floor(const options *o)
 {
     image im = image_new(o->width, o->height);
     radiometry_floors *f = allocate(1, sizeof *f);
@@ -153,7 +153,7 @@ static inline vec3 view_place(const void *context, real column, real row)
     return line ? vscale(c, 0.72) : c;
 }
 
-static inline void draw_view(const options *o)
+cold_inline void draw_view(const options *o)
 {
     int side = o->quick ? 150 : 450;
     radiometry_view v[view_maps] = {{VIEW_EQUAL_AREA, side}, {VIEW_PROJECTED, side}};

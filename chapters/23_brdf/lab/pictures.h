@@ -75,7 +75,7 @@ static inline void sphere_pixel(int x, int y, void *context)
     image_set(sheet->im, x, y, sum);
 }
 
-static inline void draw_spheres(const options *o)
+cold_inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
     brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 64};
@@ -121,7 +121,7 @@ static inline real lobe_scale(const brdf_lobe *l)
     return 1 / most;
 }
 
-static inline void plot_lobes(const options *o)
+cold_inline void plot_lobes(const options *o)
 {
     plot p = plot_new("f cos over its largest; light at 45 degrees from the left",
                       "along the surface", "along n", 0);

@@ -61,7 +61,7 @@ static inline void vectors_facets(figure *g)
                 "facets: only those with the normal *h* count");
 }
 
-static inline void draw_vectors(const options *o)
+cold_inline void draw_vectors(const options *o)
 {
     figure g = figure_begin(o, "23_brdf_vectors.svg", 960, 300);
     figure_origin(&g, 290, 225, 165);

@@ -85,7 +85,7 @@ static inline bool direct_render(const direct_view *v, image *im, int threads)
 }
 
 /* The main picture: the box, by solid angle. */
-static inline void draw_box(const options *o)
+cold_inline void draw_box(const options *o)
 {
     direct_stage g;
     stage_open(STAGE_BOX, &g);
@@ -129,7 +129,7 @@ static const direct_exhibit exhibit_strip = {
      {DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_RANDOM, 10, 0, 0, NULL}},
     {"by area, 16 samples", "by solid angle, 10 samples"}};
 
-static inline void draw_exhibit(const options *o, const direct_exhibit *x)
+cold_inline void draw_exhibit(const options *o, const direct_exhibit *x)
 {
     direct_stage g;
     stage_open(x->stage, &g);

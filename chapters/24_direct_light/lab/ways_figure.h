@@ -104,7 +104,7 @@ static inline void ways_axes(figure *g, const char *title, const char *top)
     figure_text(g, 0.5, 0, 0, 48, FIGURE_MIDDLE, FIGURE_BLACK, title);
 }
 
-static inline void draw_ways(const options *o)
+cold_inline void draw_ways(const options *o)
 {
     figure g = figure_begin(o, "24_direct_light_ways.svg", 1040, 330);
     figure_origin(&g, 80, 260, 165);

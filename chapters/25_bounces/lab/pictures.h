@@ -52,7 +52,7 @@ static inline void term_pixel(int x, int y, void *context)
     }
 }
 
-static inline void draw_terms(const options *o)
+cold_inline void draw_terms(const options *o)
 {
     lit_scene s;
     lit_cornell(&s);

@@ -81,7 +81,7 @@ static inline void tree_panel(figure *g, const options *o, const naive_path *p, 
                        c.rays[2], c.rays[3], met);
 }
 
-static inline void draw_tree(const options *o, int x, int y)
+cold_inline void draw_tree(const options *o, int x, int y)
 {
     lit_scene s;
     lit_cornell(&s);

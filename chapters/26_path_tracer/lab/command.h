@@ -78,7 +78,7 @@ static inline void command_settings(command *c, const options *o)
              (unsigned long long)o->seed);
 }
 
-static inline void command_scene(const command *c, real aspect, showcase *out)
+cold_inline void command_scene(const command *c, real aspect, showcase *out)
 {
     failure f;
     if (!(c->obj ? showcase_of_obj(c->obj, command_z_up(c), aspect, out, &f)
@@ -150,7 +150,7 @@ static inline void command_check(const command *c, const options *o)
         die(2, "--merge puts states together: it takes --save and --out only");
 }
 
-static inline void command_run(command *c, const options *o)
+cold_inline void command_run(command *c, const options *o)
 {
     command_check(c, o);
     if (c->merge) { command_run_merge(c, o); return; }

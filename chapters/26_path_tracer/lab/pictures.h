@@ -18,7 +18,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_scene(const options *o, const char *scene_name, int w, int h,
+cold_inline void draw_scene(const options *o, const char *scene_name, int w, int h,
                               uint32_t samples, float exposure, const char *file, bool is_main)
 {
     shot s;
@@ -40,7 +40,7 @@ static inline void draw_panel(image *all, int k, int larger, image im)
 }
 
 /* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
-static inline void draw_ladder(const options *o)
+cold_inline void draw_ladder(const options *o)
 {
     enum { rungs = 7, side = 64, larger = 2, size = side * larger };
     const char *title[rungs];
@@ -75,7 +75,7 @@ static inline void draw_ladder(const options *o)
 /* The ideas of the chapter, one by one, in the box with a ball of metal and a matte one. Each panel
  * has as many samples as make 64 rays a pixel: equal rays, not equal seconds, so that the bytes are
  * the same everywhere. */
-static inline void draw_strategies(const options *o)
+cold_inline void draw_strategies(const options *o)
 {
     enum { panels = 4, size = 10 };
     static const char *const title[panels] = {"1 directions alone", "2 and roulette",
@@ -104,7 +104,7 @@ static inline void draw_strategies(const options *o)
     panels_save(o, &all, panels, 1, 0, title, "26_path_tracer_strategies.png", whole);
 }
 
-static inline void draw_light(const options *o)
+cold_inline void draw_light(const options *o)
 {
     static const char *const title[2] = {"paths from the eye", "as many paths from the lamp"};
     int side = o->quick ? 48 : 360;

@@ -46,7 +46,7 @@ static inline void pixel_dice(const path_tracer *t, const path_walk *before, boo
 
 /* One hit in words: of the walk w, a copy, and a copy s of its random numbers; w->L is then what
  * was told of light. False: there is no hit. */
-static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, int k,
+cold_inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, int k,
                              vertex_seen *v)
 {
     lit_hit x = {.m = NULL};
@@ -127,7 +127,7 @@ static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
     figure_end(&g);
 }
 
-static inline void pixel_explain(const options *o, const char *name, const char *text)
+cold_inline void pixel_explain(const options *o, const char *name, const char *text)
 {
     int xy[2], w = o->width, h = o->height;
     shot x;

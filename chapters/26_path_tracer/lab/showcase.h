@@ -115,7 +115,7 @@ static inline void showcase_rough(showcase *c, real aspect)
     c->eye = showcase_eye(vec(0, 2.4, 15), vec(0, 1.15, 0), 15, aspect);
 }
 
-static inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
+cold_inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
 {
     vec3 silver = vec(0.95, 0.93, 0.88);
     lit_material glass = {.ior = 1.5, .sigma = {0.0016, 0.0004, 0.0012}};

@@ -22,7 +22,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void vertices_light(const path_tracer *t, const path_walk *w, const lit_hit *x,
+cold_inline void vertices_light(const path_tracer *t, const path_walk *w, const lit_hit *x,
                                   path_random next, vertex_seen *v)
 {
     lit_draw l;
@@ -35,7 +35,7 @@ static inline void vertices_light(const path_tracer *t, const path_walk *w, cons
 }
 
 /* The number of hits. */
-static inline int vertices_of(const path_tracer *t, ray eye, path_random s,
+cold_inline int vertices_of(const path_tracer *t, ray eye, path_random s,
                               vertex_seen v[vertices_most])
 {
     path_walk w = path_begin(eye);
@@ -160,7 +160,7 @@ static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
 
 /* Of the pixels that the metal shows the lamp in, one whose path has four hits that are far enough
  * apart, and on the metal two weights that count: found by trying. */
-static inline void draw_vertices(const options *o)
+cold_inline void draw_vertices(const options *o)
 {
     enum { side = 100, x = 39, y = 62, tried = 114 };
     shot s;

@@ -61,7 +61,7 @@ static inline bool scene_step(text_reader *t, affine *next, bool *known)
 }
 
 /* Steps as long as there are any. */
-static inline bool scene_steps(statement *q, affine *out)
+cold_inline bool scene_steps(statement *q, affine *out)
 {
     bool known = true;
     *out = affine_scaling((vec3){1, 1, 1});
@@ -169,7 +169,7 @@ static inline bool solid_read(studio_solid *x, const char *text, failure *f)
 }
 
 /* solid NAME difference(..): the rest of the line goes to the reader of 06. */
-static inline bool scene_solid(statement *q)
+cold_inline bool scene_solid(statement *q)
 {
     char name[64], text[text_token];
     studio_solid x = {.at = q->at};

@@ -35,7 +35,7 @@ static inline bool request_own(const request *q)
 /* Without a file and --full: the six scenes, and that is all. */
 static inline bool request_is_short(const options *o) { return !o->out && !o->own && !o->full; }
 
-static inline void request_read(const request *q, const options *o, studio *s)
+cold_inline void request_read(const request *q, const options *o, studio *s)
 {
     const char *demo = six_scenes "demo.scene", *path = q->path;
     char text[six_room];
@@ -119,7 +119,7 @@ static inline bool request_tables(const options *o, const request *q, const plan
 }
 
 /* The picture is saved before all else: Ctrl-C later on loses none of it. */
-static inline void request_show(const options *o, request *q, const plan *p, effects_stage *e)
+cold_inline void request_show(const options *o, request *q, const plan *p, effects_stage *e)
 {
     long_run *l = &q->run;
     char room[512];

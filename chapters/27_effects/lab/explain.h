@@ -177,7 +177,7 @@ static inline void explain_warnings(FILE *out, const studio *s)
                     program_name, name_text(&s->files, s->files.n > 1));
 }
 
-static inline void explain(FILE *out, const studio *s, const plan *p, const studio_view *v)
+cold_inline void explain(FILE *out, const studio *s, const plan *p, const studio_view *v)
 {
     size_t triangles = 0;
     for (size_t i = 0; i < s->places; i++) triangles += s->mesh[s->placed[i].mesh].triangles;

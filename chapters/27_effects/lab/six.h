@@ -135,7 +135,7 @@ static inline bool draw_two(const options *o)
     return whole;
 }
 
-static inline bool draw_six(const options *o, bool fine)
+cold_inline bool draw_six(const options *o, bool fine)
 {
     table t = six_table("Six scenes, each a line longer: what is called for, and everything");
     bool whole = six_draw(o, six_list, six_count, 3, o->quick ? six_width / 4 : six_width,
