@@ -58,8 +58,7 @@ LIGHT = 01_ray 01_wide 02_camera 02_filter 02_first 03_sphere 05_first 06_first 
   21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
   25_bounces 25_first 25_transport 26_first 26_path_tracer 26_state 27_corpus 27_first 27_glass \
   27_plan 27_proof 27_radiance 27_readers 27_tree figure label output
-SET_FLAGS_seeing = -O0 $(CLEAR)
-SET_FLAGS_paths = -Og $(CLEAR)
+SET_FLAGS_seeing = -Og $(CLEAR)
 SET_FLAGS_common = -O0 $(CLEAR)
 LIGHT_MAINS = $(filter-out 06_csg 16_instances 20_monte_carlo,$(CHAPTERS))
 endif
@@ -195,12 +194,12 @@ showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
 	$(Q)$(BUILD)/07_mesh --teapot 24 --save build/teapot.obj
 	$(Q)$(BUILD)/27_effects chapters/27_effects/scenes/showpiece.scene --size 1280x720 --samples 256 --out images/showpiece.png
 
-# Tests that include much the same are one program there (together.sh), and so compiled in a third of the time. Where
-# they compute much (paths), -Og pays: a half more of the compiler's time than with -O0, and near half of theirs.
+# Tests that include much the same are one program there (together.sh), and so compiled in a third of the time. What
+# they compute decides whether -O0, -Og or -O1 has both, compiling and computing, done soonest.
 SETS = seeing paths structures first common
-SET_seeing = $(filter 17_compare 17_spd 18_% 19_% 21_% 22_%,$(filter-out 22_first,$(TESTS)))
+SET_seeing = $(filter 17_spd 18_% 19_% 21_% 22_%,$(filter-out 22_first,$(TESTS)))
 SET_paths = $(filter 24_% 25_% 26_% 27_%,$(filter-out 27_first,$(TESTS)))
-SET_structures = $(filter 10_% 11_% 12_% 13_% 14_% 16_% 17_torture,$(filter-out %_first,$(TESTS)))
+SET_structures = $(filter 10_% 11_% 12_% 13_% 14_% 16_% 17_compare 17_torture,$(filter-out %_first,$(TESTS)))
 SET_first = $(filter 10_first 11_first 12_first 13_first 14_first 15_first 16_first,$(TESTS))
 SET_common = $(filter-out parallel,$(filter-out 0% 1% 2%,$(TESTS)))
 SET_TESTS = $(foreach s,$(SETS),$(SET_$(s)))
