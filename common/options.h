@@ -27,6 +27,7 @@ typedef struct {
     uint64_t seed;
     bool preview, quick, full;
     bool own;                  /* set by the program: drawn is not the book's scene: see output.h */
+    bool changed;              /* not the book's size, samples or seed, or an option of `own` */
 } options;
 
 typedef enum {
@@ -231,11 +232,16 @@ cold_inline options options_read(int argc, char **argv, const char *name, const 
     }
     if (quick && o.quick_width) size[0] = o.quick_width, size[1] = o.quick_height;
     if (quick && o.quick_samples) o.samples = o.quick_samples;  /* --samples overrides it below */
-    for (int i = 1; i < argc; i++) i = option_read(lists, argc, argv, i);
+    for (int i = 1; i < argc; i++) {
+        if (option_find((const option *[2]){own, NULL}, argv[i])) o.changed = true;
+        i = option_read(lists, argc, argv, i);
+    }
     if (o.out && !image_can_write(o.out, &f)) fail(f);
     options_check_files(lists);
     if (o.quick && o.full) die(2, "--quick and --full: one of them");
     o.width = size[0], o.height = size[1], o.seed = (uint64_t)seed;
+    if (o.width != defaults.width || o.height != defaults.height || o.seed != defaults.seed
+        || o.samples != defaults.samples) o.changed = true;
     return o;
 }
 #endif

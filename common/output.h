@@ -7,8 +7,10 @@
  *   *_time.svg      build/             build/quick/    (not drawn)      they differ from run to run
  *   table           stdout, and the file of --csv
  *
- * images/ is for the pictures of the book: with o.own, which a program sets where its reader draws
- * a model or a scene of their own, the main picture goes to build/, and no other is drawn.
+ * images/ is for the pictures of the book: with another size, number of samples or seed, or an
+ * option of the program's own (o.changed), and if Ctrl-C stopped them, they go to build/. With o.own,
+ * which a program sets where its reader draws a model or a scene of their own, so does the main
+ * picture, and no other is drawn.
  *
  *   return output_done(&o);    the last line of main: says what was drawn, and where its page is
  *
@@ -25,7 +27,7 @@
 static inline const char *output_path(const options *o, const char *name, bool is_main,
                                       char path[512])
 {
-    bool build = o->quick || o->own || ends_with(name, "_time.svg");
+    bool build = o->quick || o->own || o->changed || ends_with(name, "_time.svg");
     if (o->out) return is_main ? o->out : NULL;
     if (o->own && !is_main) return NULL;
     mkdir(build ? "build" : "images", 0777);  /* if that fails, writing the file says why */
@@ -85,7 +87,9 @@ static inline void output_picture(const options *o, const image *im, const char 
     char room[512];
     failure f;
     sigset_t interrupt, before;
-    const char *path = output_path(o, name, is_main, room);
+    options to = *o;
+    to.changed |= !whole;
+    const char *path = output_path(&to, name, is_main, room);
     sigemptyset(&interrupt), sigaddset(&interrupt, SIGINT), sigaddset(&interrupt, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &interrupt, &before);  /* Ctrl-C waits until the file is whole */
     if (path && !image_write(path, im, &f)) fail(f);

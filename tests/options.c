@@ -5,6 +5,7 @@
 
 enum { most = 8 };
 typedef struct { const char *argument[most]; } line;
+static bool said_changed;  /* print that, too */
 
 /* Reads a command line as a program would, and prints what came out of it. */
 static void program(void *context)
@@ -29,6 +30,7 @@ static void program(void *context)
            (unsigned long long)o.seed, o.preview ? " preview" : "", o.quick ? " quick" : "",
            edge, eps, naive ? " naive" : "", mesh ? mesh : "-", o.out ? o.out : "-",
            o.csv ? o.csv : "-");
+    if (said_changed) printf(o.changed ? " changed" : " as the book");
 }
 
 static child_result run(line l) { return child_run(program, &l); }
@@ -72,6 +74,21 @@ static void test_accepted(void)
     accepts(LINE("--quick"), "32x24 1 0 7 quick|8 0.5 - - -");
     accepts(LINE("--samples", "4", "--quick", "--size", "640x480"),
             "640x480 4 0 7 quick|8 0.5 - - -");
+}
+
+/* Whether images/ would get its own pictures back: output.h. */
+static void test_changed(void)
+{
+    said_changed = true;
+    accepts(LINE("--threads", "3", "--csv", "/dev/null", "--preview", "--size", "640x480",
+                 "--full"), "640x480 4 3 7 preview|8 0.5 - - /dev/null as the book");
+    accepts(LINE("--seed", "7", "--samples=4"), "640x480 4 0 7|8 0.5 - - - as the book");
+    accepts(LINE("--size", "640x481"), "640x481 4 0 7|8 0.5 - - - changed");
+    accepts(LINE("--seed", "8"), "640x480 4 0 8|8 0.5 - - - changed");
+    accepts(LINE("--samples", "5"), "640x480 5 0 7|8 0.5 - - - changed");
+    accepts(LINE("--edge=9"), "640x480 4 0 7|9 0.5 - - - changed");
+    accepts(LINE("--naive"), "640x480 4 0 7|8 0.5 naive - - - changed");
+    said_changed = false;
 }
 
 static void test_numbers(void)
@@ -235,6 +252,7 @@ static void test_help(void)
 int main(void)
 {
     test_accepted();
+    test_changed();
     test_numbers();
     test_messages();
     test_files();

@@ -62,6 +62,10 @@ static void test_places(void)
     check(r.status == 0 && !exists("images") && exists("build/quick/main.png")
           && exists("build/quick/p_time.svg") && exists("build/quick/p.svg"), "--quick");
     clear();
+    r = run((options){.changed = true}, true);
+    check(r.status == 0 && !exists("images") && exists("build/main.png") && exists("build/p.svg")
+          && exists("build/other.png"), "of another size, or with other options: build/");
+    clear();
     r = run((options){.out = "only.pfm", .csv = "t.csv"}, true);
     check(r.status == 0 && exists("only.pfm") && !exists("images") && !exists("build"), "--out");
     char path[256];
@@ -95,8 +99,9 @@ static void test_errors(void)
     check(r.status == 1 && strstr(r.err, "images/other.png: cannot write"), "%s", r.err);
     clear();
     r = run((options){0}, false);
-    check(r.status == 130 && exists("images/main.png") && !exists("images/p.svg")
-          && strstr(r.err, "images/main.png holds"), "stopped: saved, exit 130: %s", r.err);
+    check(r.status == 130 && exists("build/main.png") && !exists("images/main.png")
+          && !exists("images/p.svg") && !exists("build/p.svg")
+          && strstr(r.err, "build/main.png holds"), "stopped: saved, exit 130: %s", r.err);
     clear();
     r = run((options){.out = "x.ppm"}, false);
     check(r.status == 130 && exists("x.ppm") && strstr(r.err, "x.ppm"), "stopped: %s", r.err);
