@@ -138,6 +138,14 @@ static inline void file_forget(const char *path)
     if (i >= 0) file_read_list[i] = file_read_list[--files_read];
 }
 
+/* A regular file that this run depends on: no output replaces it. */
+static inline void file_keep(const struct stat *s)
+{
+    if (!S_ISREG(s->st_mode) || file_read_number(s) >= 0 || files_read == file_most_read) return;
+    file_read_list[files_read].device = s->st_dev;
+    file_read_list[files_read++].inode = s->st_ino;
+}
+
 /* Opens a file to read. NULL: none, a directory, or a device, which may never end. */
 static inline FILE *file_open(const char *path, failure *f)
 {
@@ -151,11 +159,7 @@ static inline FILE *file_open(const char *path, failure *f)
         failed(f, 1, "%.300s: cannot read: a device, not a file", path);
         return NULL;
     } else in = fopen(path, "rb");
-    bool note = in && there && S_ISREG(s.st_mode) && file_read_number(&s) < 0;
-    if (note && files_read < file_most_read) {
-        file_read_list[files_read].device = s.st_dev;
-        file_read_list[files_read++].inode = s.st_ino;
-    }
+    if (in && there) file_keep(&s);
     if (!in) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
     return in;
 }

@@ -648,6 +648,15 @@ static void test_libraries(void)
         check((strstr(r.err, "gone.mtl: no such file") != NULL) == (strstr(text, "gone") != NULL)
               && !strstr(r.err, "teapot.mtl: no"), "said of them: %s", r.err);
     }
+    static const char library[] = "chapters/07_mesh/scenes/teapot.mtl";
+    file_writer out;
+    failure f;
+    mesh m;
+    if (!read_text(V3 "mtllib teapot.mtl\nf 1 2 3\n", &m, NULL)) abort();
+    check_equal(obj_libraries_missing(&m, "chapters/07_mesh/scenes/x.obj"), 0, "it is there");
+    check(!file_begin(&out, library, &f) && f.exit_code == 2 && strstr(f.text, "not replaced"),
+          "no output replaces it: %s", f.text);
+    file_forget(library), mesh_free(&m);
 }
 
 /* ---- mesh.h ---- */

@@ -375,7 +375,7 @@ static void test_memory(void)
             if (octree_stats(&t).peak > most) peak++;
         } else {
             refused++;
-            check(f.exit_code == 1 && strstr(f.text, "more than") && !t.node && !t.reference,
+            check(f.exit_code == 1 && strstr(f.text, "bytes allowed") && !t.node && !t.reference,
                   "too little memory: says so, and nothing is left: %s", f.text);
         }
         octree_free(&t);

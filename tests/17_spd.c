@@ -471,6 +471,12 @@ static void test_nff(void)
     check(w.lights == world_most_lights && w.light[7].x == 8, "the first eight are kept");
     check(w.groups == 1 && world_finish(&w, 0).kd == 1, "a finish is there");
     world_free(&w);
+    vec3 lo, hi;
+    check(read_nff(VIEW "s 0 0 0 9\ns 0 0 0 1\ns 0 0 0 2\n", &w, &f), "three balls: %s", f.text);
+    w.shape[1].sphere.c = (vec3){(real)NAN, (real)NAN, (real)NAN};
+    world_bounds(&w, &lo, &hi);
+    check(lo.x <= -9 && hi.z >= 9, "a NaN forgets nothing that came before: %g", (double)hi.z);
+    world_free(&w);
     check(read_nff(VIEW "s 0 0 0 1\n", &w, &f) && w.lights == 1 && w.light[0].z == 6,
           "no light: one beside the eye");
     world_free(&w);
@@ -478,6 +484,9 @@ static void test_nff(void)
     check(!read_nff(VIEW, &w, &f) && f.exit_code == 2 && strstr(f.text, "no shape"), "no shape");
     check(!read_nff(VIEW "s 0 0 x 1\n", &w, &f) && f.exit_code == 2 && strstr(f.text, ":8: s:"),
           "broken, with its line: %s", f.text);
+    check(!read_nff("# a\nv\nfrom 1 2 3\nat 1 2 3\nup 0 1 0\nangle 60\n", &w, &f)
+          && f.exit_code == 2 && strstr(f.text, ":2: v: target (1, 2, 3) equals the viewpoint"),
+          "from and at are one place: %s", f.text);
     check(!nff_world("/nonexistent/a.nff", &w, &f) && f.exit_code == 1, "no such file");
 }
 

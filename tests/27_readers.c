@@ -212,6 +212,12 @@ static void test_exports(void)
           "and what is not there is noted: %s", ok ? s.notes : "");
     if (ok) studio_free(&s);
 
+    put("none.obj", TRIANGLE "usemtl a\nf 1 2 3\nusemtl (null)\nf 1 2 3\nusemtl a\nf 1 2 3\n");
+    ok = read_scene("none.obj", &s, &f);
+    check(ok && s.note_count == 1 && s.warned == 1 && strstr(s.notes, "material 'a' is nowhere"),
+          "usemtl, but no library: a warning, once: %s", ok ? s.notes : f.text);
+    if (ok) studio_free(&s);
+
     put("my pot.mtl", "newmtl a\nKd 0.25\n");
     put("two.mtl", "newmtl a\nKd 0.75\nnewmtl c\nKd 0.5\n");
     put("b.obj", "mtllib my pot.mtl\nmtllib no.mtl two.mtl\n" TRIANGLE

@@ -120,6 +120,15 @@ static inline void *memory_array(memory *m, size_t n, size_t size)
     return memory_fit(m, &p, 0, n, &(size_t){0}, size) ? p : NULL;
 }
 
+/* Says what did not fit, into how many bytes if they are fewer than any machine has; false. */
+static inline bool memory_failed(failure *f, const char *what, size_t n, size_t most)
+{
+    char within[64] = "";
+    if (most < SIZE_MAX / 4) snprintf(within, sizeof within, ", %zu bytes allowed", most);
+    return failed(f, 1, "%s: no memory for %zu items%s%s%s", what, n, within,
+                  *file_last ? ", last read: " : "", file_last);
+}
+
 static inline void memory_drop(memory *m, void *p, size_t room, size_t size)
 {
     free(p), memory_gives(m, room, size);

@@ -217,8 +217,7 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
                        &b.reference_room, sizeof *t.reference);
     if (!ok) {
         octree_free(&t);
-        return failed(f, 1, "octree of %zu items, leaves of %d, depth %d: more than %zu bytes",
-                      x->n, how.leaf, t.how.depth, how.most_bytes);
+        return memory_failed(f, "octree", x->n, how.most_bytes);
     }
     *out = t;
     return true;

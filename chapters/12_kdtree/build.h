@@ -281,8 +281,7 @@ static inline bool kdtree_build(const items *x, kdtree_options how, kdtree *out,
     if (kd_grow(&b, &all)) return true;
     kdtree_free(out);
     return b.large ? failed(f, 2, "k-d tree: more than 2^29 nodes or 2^32 references")
-                   : failed(f, 1, "k-d tree of %zu items: needs more than the %zu bytes allowed",
-                            x->n, how.most_bytes);
+                   : memory_failed(f, "k-d tree", x->n, how.most_bytes);
 }
 
 #endif

@@ -51,7 +51,7 @@ static inline bool bvh_take_shapes(bvh_options how, bvh_item *item, bvh *out, fa
     }
     if (!tree_build(item, n, how, &out->shapes, f)) return false;
     out->index = tree_array(&out->shapes, n, sizeof *out->index);
-    if (!out->index) return failed(f, 1, "BVH: no memory for %zu shapes", n);
+    if (!out->index) return memory_failed(f, "BVH", n, how.most_bytes);
     for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
     memory_gives(&out->shapes.held, n, sizeof *item);
     return true;
@@ -62,7 +62,7 @@ static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure 
     *out = (bvh){.x = *x};
     if (x->m) return bvh_mesh_build(x->m, how, &out->mesh, f);
     bvh_item *item = memory_array(&(memory){.most = how.most_bytes}, x->n, sizeof *item);
-    if (!item) return failed(f, 1, "BVH: no memory for %zu items", x->n);
+    if (!item) return memory_failed(f, "BVH", x->n, how.most_bytes);
     bool built = bvh_take_shapes(how, item, out, f);
     free(item);
     if (!built) bvh_free(out);

@@ -80,7 +80,7 @@ static inline bool bvh_mesh_take(const mesh *m, bvh_options how, bvh_input *in, 
     if (!tree_build_input(in, how, &out->tree, f)) return false;
     size_t n = out->tree.items;
     out->triangle = tree_array(&out->tree, n, sizeof *out->triangle);
-    if (!out->triangle) return failed(f, 1, "BVH: no memory for %zu triangles", n);
+    if (!out->triangle) return memory_failed(f, "BVH", n, how.most_bytes);
     for (size_t i = 0; i < n; i++) {
         triangle t = mesh_triangle(m, in->item[i].index);
         out->triangle[i] = (bvh_triangle){{t.a, t.b, t.c}, in->item[i].index};
@@ -98,7 +98,7 @@ static inline bool bvh_mesh_build(const mesh *m, bvh_options how, bvh_mesh *out,
     *out = (bvh_mesh){.triangle = NULL};
     in.room = rule && rule->through ? bvh_most_cuts * m->triangles : m->triangles;
     in.item = memory_array(&(memory){.most = how.most_bytes}, in.room, sizeof *in.item);
-    if (!in.item) return failed(f, 1, "BVH: no memory for %zu items", in.room);
+    if (!in.item) return memory_failed(f, "BVH", in.room, how.most_bytes);
     bool built = bvh_mesh_take(m, how, &in, out, f);
     free(in.item);
     if (!built) bvh_mesh_free(out);

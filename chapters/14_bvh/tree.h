@@ -140,8 +140,7 @@ static inline bool tree_build_input(const bvh_input *in, bvh_options how, bvh_tr
     }
     if (t->held.full) {
         tree_free(t);
-        return failed(f, 1, "no memory for a BVH of %zu items within %zu bytes", in->n,
-                      how.most_bytes);
+        return memory_failed(f, "BVH", in->n, how.most_bytes);
     }
     tree_trim(t);
     return true;

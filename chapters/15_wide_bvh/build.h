@@ -213,7 +213,7 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
     if (whole) return true;
     bool full = w->room.full;
     bvh8_free(w);
-    if (full) return failed(f, 1, "no memory for %zu items in %zu bytes", x->n, how.most_bytes);
+    if (full) return memory_failed(f, "bvh8", x->n, how.most_bytes);
     return failed(f, parallel_stopped(), "stopped");
 }
 

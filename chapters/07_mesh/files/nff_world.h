@@ -45,8 +45,10 @@ static inline bool nff_world_item(nff_world_rooms *r, const nff_item *x, failure
     world *w = r->w;
     const nff_fill *m = &x->fill;
     const nff_view *v = &x->view;
+    failure why;
     switch (x->kind) {
-    case NFF_VIEW: return r->viewed = true, world_look(w, v->from, v->at, v->up, v->angle, f);
+    case NFF_VIEW: return r->viewed = true, world_look(w, v->from, v->at, v->up, v->angle, &why)
+            || failed(f, 2, "%.300s:%zu: v: %s", w->name, x->line, why.text);
     case NFF_BACKGROUND: return w->background = x->background, true;
     case NFF_LIGHT: return w->lights == world_most_lights || (world_light(w, x->light.at), true);
     case NFF_FILL:

@@ -301,14 +301,17 @@ static inline bool obj_read(const char *path, mesh *out, failure *f)
     return ok;
 }
 
-/* Is there a file of this name [n bytes] in the folder of `path`? */
+/* Is there a file of this name [n bytes] in the folder of `path`? The model needs it: it is kept. */
 static inline bool obj_beside(const char *path, const char *name, size_t n)
 {
     char file[4096];
+    struct stat s;
     const char *slash = strrchr(path, '/');
     int folder = slash && *name != '/' ? (int)(slash + 1 - path) : 0;
     snprintf(file, sizeof file, "%.*s%.*s", folder, path, (int)n, name);
-    return access(file, R_OK) == 0;
+    if (access(file, R_OK) != 0 || stat(file, &s) != 0) return false;
+    file_keep(&s);
+    return true;
 }
 
 /* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */

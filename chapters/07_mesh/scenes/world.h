@@ -113,7 +113,7 @@ static inline void world_bounds(const world *w, vec3 *lo, vec3 *hi)
     for (size_t i = 0; i < w->n; i++) {
         vec3 a, b;
         shape_bounds(w->shape[i], &a, &b);
-        *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+        *lo = vmin(a, *lo), *hi = vmax(b, *hi);  /* of a NaN the other is kept */
     }
 }
 

@@ -47,7 +47,8 @@ static inline void own_view(const compare_options *own, world *w)
     if (!own->from && !own->at && own->angle <= 0) return;
     if (read_numbers("from", own->from, from)) eye = vec(from[0], from[1], from[2]);
     if (read_numbers("at", own->at, at)) target = vec(at[0], at[1], at[2]);
-    if (!world_look(w, eye, target, up, own->angle > 0 ? (real)own->angle : w->angle, &f)) fail(f);
+    if (!world_look(w, eye, target, up, own->angle > 0 ? (real)own->angle : w->angle, &f))
+        die(2, "--from, --at: %s", f.text);
 }
 
 static inline void own_world(const compare_options *own, const char *path, world *w)

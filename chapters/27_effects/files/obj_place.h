@@ -78,8 +78,10 @@ static inline uint32_t *obj_run_materials(studio *s, const char *path, const mes
         number[i] = obj_material_number(s, found, name);
         if (number[i] != name_none || name_find(&unknown, name) != name_none) continue;
         name_add(&unknown, name);
-        if (found->n && *name && strcmp(name, "None") != 0 && strcmp(name, "(null)") != 0)
-            studio_note(s, "%.200s: material '%.100s' is nowhere described", path, name);
+        bool missing = m->libraries && !found->n;  /* that has been said */
+        if (missing || !*name || strcmp(name, "None") == 0 || strcmp(name, "(null)") == 0) continue;
+        studio_note(s, "%.200s: material '%.100s' is nowhere described: grey", path, name);
+        studio_warns(s);
     }
     name_table_free(&unknown);
     return number;
