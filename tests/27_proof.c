@@ -290,7 +290,7 @@ static bool proof_refutes(proof *q, const plan *p, bool *by_chance)
 static void test_promise(void)
 {
     char *text = allocate(proof_room, 1);
-    size_t n = check_count(4000), by_dice = 0, refuted = 0, counts[effect_kinds][3] = {{0}};
+    size_t n = check_count(8000), by_dice = 0, refuted = 0, counts[effect_kinds][3] = {{0}};
     for (size_t i = 0; i < n; i++) {
         proof q;
         bool by_chance;

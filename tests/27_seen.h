@@ -3,7 +3,8 @@
  *   main as in 27_files.h
  *   set q; set_up(&q, text); .. tear_down(&q);         a scene, its plan, its stage
  *   dice d = dice_start(seed, pixel, k)                dice_sample of one alone: the same numbers
- *   vec3 L = seen_along(&q, r)                         one throw of the dice, from where r begins
+ *   vec3 L = seen_along(&q, r)                         one throw of the dice, from where r begins;
+ *                                                      without integrals none: cut at 1/512
  *   test_same(what, one, other)                        two scenes without chance are one picture
  *   test_way(text, z, exponent)                        the light left along -z
  *   along(&e, n, estimates)                            n throws, through the middle of the picture
@@ -51,8 +52,9 @@ static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
                   random_start(seed, half, k / 2).key};
 }
 
-static inline vec3 seen_along(const set *q, ray r)
+static inline vec3 seen_along(set *q, ray r)
 {
+    if (!q->e.chance) effects_stage_cut(&q->e, (real)1 / 512);
     dice d = dice_start(1, 1, 0);
     effects_counts c = {.lost = 0};
     return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o), &d, &c);

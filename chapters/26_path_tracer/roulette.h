@@ -34,6 +34,7 @@ static inline real roulette_within(vec3 beta, real keep)
     return real_min(keep * real_max(real_max(beta.x, beta.y), beta.z), 1);
 }
 
-static inline real roulette_survival(vec3 beta) { return roulette_within(beta, 2); }
+enum { roulette_keep = 2 };  /* of (26.4) */
+static inline real roulette_survival(vec3 beta) { return roulette_within(beta, roulette_keep); }
 
 #endif

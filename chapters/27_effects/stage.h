@@ -3,6 +3,7 @@
  *   effects_stage e;
  *   if (!effects_stage_build(&s, &e, &f)) fail(f);          s must outlive it
  *   effects_stage_effects(&e, mask)                         what to simulate from now on
+ *   effects_stage_cut(&e, least)                            without dice
  *   effects_stage_view(&e, &view, camera)                   sets e.eye, e.lens, e.hither
  *   effects_stage_free(&e);
  *
@@ -14,7 +15,7 @@
  *     EFFECTS_GENERAL  drawn by the general copy of special.h, always
  *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan
  *
- * A branch ends where its weight does: by dice, or at `least`. `depth` is for mirrors that lose
+ * A branch ends by dice, once its weight is small: radiance.h. `depth` is for mirrors that lose
  * nothing.
  */
 #ifndef EFFECTS_STAGE_H
@@ -22,6 +23,7 @@
 
 #include "../19_whitted/whitted.h"
 #include "../21_distributed/lens.h"
+#include "../26_path_tracer/roulette.h"
 #include "framing.h"
 #include "lamps.h"
 #include "effect.h"
@@ -34,7 +36,8 @@ enum {
     EFFECTS_EVERYTHING = EFFECTS_ALL | EFFECTS_SPEND,
     RAY_OF_EYE = effect_kinds, effects_rays,
     stage_most_depth = 1024, stage_most_waiting = 384,  /* rays behind one another; branches */
-    stage_most_faces = 128                              /* passed without a change of way */
+    stage_most_faces = 128,                             /* passed without a change of way */
+    stage_keep = 128
 };
 
 typedef struct {
@@ -53,10 +56,11 @@ typedef struct {
     lamp_list lamp;
     unsigned mask;                   /* effects, and SPEND, GENERAL, DICED */
     bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
-    bool chance;                     /* integrals: roulette; else every branch above `least` */
+    bool chance;                     /* integrals; else all branches above 1 / keep are followed */
+    bool cuts;                       /* and no other one */
     bool clear;                      /* a material lets light straight through */
     int depth;                       /* rays behind one another, the eye's is 1 */
-    real least;                      /* weight at which a branch is cut, without chance */
+    real keep, keep_sharp;           /* k of radiance.h */
     camera eye;
     thin_lens lens;
     real hither;
@@ -76,12 +80,20 @@ static inline void effects_stage_effects(effects_stage *e, unsigned mask)
 {
     e->mask = mask;
     e->chance = (mask & (EFFECTS_OF_CHANCE | EFFECTS_DICED)) != 0;
+    e->keep = e->chance ? roulette_keep : stage_keep;
+    e->keep_sharp = e->chance ? 32 : stage_keep;
+    e->cuts = false;
+}
+
+/* Until that is called again: branches below `least` are cut, as in 19, to be compared with it. */
+static inline void effects_stage_cut(effects_stage *e, real least)
+{
+    e->cuts = true, e->keep = e->keep_sharp = 1 / least;
 }
 
 static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)
 {
-    *out = (effects_stage){.s = s, .depth = stage_most_depth, .least = (real)1 / 512,
-                            .headlight = studio_dark(s)};
+    *out = (effects_stage){.s = s, .depth = stage_most_depth, .headlight = studio_dark(s)};
     if (!studio_tree_build(s, &out->t, f)) return false;
     lamps_build(&out->t, &out->lamp);
     out->look = appearances_of(s);

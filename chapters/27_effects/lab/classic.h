@@ -42,9 +42,11 @@ static inline material classic_material(const void *context, trace_hit x, const 
     return c->look[classic_number(c, x)].base;
 }
 
-static inline void classic_build(const effects_stage *e, classic *c)
+/* e cuts from now on, as 19 does: the same rays. */
+static inline void classic_build(effects_stage *e, classic *c)
 {
     const studio *s = e->s;
+    effects_stage_cut(e, (real)1 / 512);
     *c = (classic){.e = e, .world = {e->t.part, e->t.parts}};
     c->look = allocate(s->materials, sizeof *c->look);
     for (size_t m = 0; m < s->materials; m++) {
@@ -57,7 +59,7 @@ static inline void classic_build(const effects_stage *e, classic *c)
     for (size_t i = 0; i < s->lights; i++) c->light[i] = s->light[i].light;
     c->how = (whitted){.lights = c->light, .n = (int)s->lights, .material_of = classic_look,
                        .context = c, .media = e->media, .background = s->sky.background,
-                       .depth = e->depth, .least = e->least, .apart = true};
+                       .depth = e->depth, .least = 1 / e->keep, .apart = true};
     c->plain = (shading){.lights = c->light, .n = (int)s->lights, .material_of = classic_material,
                          .context = c, .background = s->sky.background};
 }

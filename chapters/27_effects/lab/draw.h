@@ -61,10 +61,9 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
     film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     dice_pixel of;
-    if (!j->middle) dice_pixel_of(j->seed, i, &of);
+    dice_pixel_of(j->seed, i, &of);
     for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
-        dice d = {.own = 0};
-        if (!j->middle) d = dice_sample(&of, k);
+        dice d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r), &d, c));
