@@ -130,7 +130,8 @@ cold_inline int option_read(const option *lists[2], int argc, char **argv, int i
     if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
         die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
     if (word[0] != '-' && *option_place(o))
-        die(2, "%.200s and %.200s: one file at a time", *option_place(o), word);
+        die(2, o->highest > 1 ? "%.200s and %.200s: at most %g files"
+            : "%.200s and %.200s: one file at a time", *option_place(o), word, o->highest);
     if (word[0] != '-') return *option_place(o) = word, i;
     if (o->kind == OPTION_FLAG) {
         if (value) die(2, "--%s takes no value: %.200s", o->name, word);

@@ -76,6 +76,12 @@ static void test_nearest(void)
     torture t = {m, &r, &farther, 1};
     double error;
     check_equal(torture_judge(&t, 0, (hit){1, 0, 0, 1}, &error), TORTURE_ASTRAY, "not in silence");
+    const real at[] = {1, (real)(1 + 0x1p-20), real_infinity, -1e6, 1e6, (real)NAN};
+    torture_hit nearest = {{1, 1}, 1};
+    t.due = &nearest;
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++)
+        check_equal(torture_judge(&t, 0, (hit){at[k], 0, 0, 1}, &error),
+                    k < 2 ? TORTURE_RIGHT : TORTURE_ASTRAY, "its t is %g", (double)at[k]);
     mesh_free(&m);
 }
 

@@ -47,8 +47,9 @@ int main(int argc, char **argv)
                 sum = vadd(sum, colour(&w, tint, first_pixel_ray(c, x, y, s, n)));
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
-    printf("%d triangles, %d nodes of 2, %d nodes of %d, %.1f tests a ray\n", m.n, w.binary.nodes,
-           w.nodes, first_width, (double)first_tests / (side * side * n * n));
+    int inner = (w.binary.nodes - 1) / 2;  /* the others are leaves */
+    printf("%d triangles, %d nodes of 2, %d nodes of %d, %.1f tests a ray\n", m.n, inner, w.nodes,
+           first_width, (double)first_tests / (side * side * n * n));
     first_wide_free(&w);
     first_mesh_free(&m);
     free(tint);

@@ -291,16 +291,6 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
     return ok;
 }
 
-static inline bool obj_read(const char *path, mesh *out, failure *f)
-{
-    FILE *in = file_open(path, f);
-    *out = (mesh){0};
-    if (!in) return false;
-    bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
-    fclose(in);
-    return ok;
-}
-
 /* Is there a file of this name [n bytes] in the folder of `path`? The model needs it: it is kept. */
 static inline bool obj_beside(const char *path, const char *name, size_t n)
 {
@@ -315,7 +305,7 @@ static inline bool obj_beside(const char *path, const char *name, size_t n)
 }
 
 /* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */
-static inline int obj_libraries_missing(const mesh *m, const char *path)
+static inline int obj_libraries(const mesh *m, const char *path, bool say)
 {
     int missing = 0;
     for (const char *p = m->libraries; p && *p; p += strcspn(p, "\n") + 1) {
@@ -325,12 +315,29 @@ static inline int obj_libraries_missing(const mesh *m, const char *path)
         for (const char *q = p; q < p + line; q += word + strspn(q + word, " \t")) {
             word = strcspn(q, " \t\n");
             if (obj_beside(path, q, word)) continue;
-            fprintf(stderr, "%s: %.200s: mtllib %.*s: no such file beside it\n", program_name, path,
-                    (int)word, q);
+            if (say)
+                fprintf(stderr, "%s: %.200s: mtllib %.*s: no such file beside it\n", program_name,
+                        path, (int)word, q);
             missing++;
         }
     }
     return missing;
+}
+
+static inline int obj_libraries_missing(const mesh *m, const char *path)
+{
+    return obj_libraries(m, path, true);
+}
+
+static inline bool obj_read(const char *path, mesh *out, failure *f)
+{
+    FILE *in = file_open(path, f);
+    *out = (mesh){0};
+    if (!in) return false;
+    bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
+    fclose(in);
+    if (ok) (void)obj_libraries(out, path, false);  /* no output replaces them */
+    return ok;
 }
 
 #endif

@@ -38,6 +38,7 @@ static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, fai
     *w = (world){.name = name, .mesh = m, .background = {0.078, 0.361, 0.753}};
     if (!mesh_bounds(&m, &lo, &hi)) return failed(f, 2, "%.300s: no triangles in it", name);
     real size = vlength(vsub(hi, lo)) / 2;
+    if (size == 0) return failed(f, 2, "%.300s: all of it is one point", name);
     vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
     vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55)
                              : vec(0.45, 0.55, 1));

@@ -304,6 +304,7 @@ static inline double torture_reach(ray r)
 }
 
 /* *error: how far off t is, in roundings of float (2^-24). */
+enum { torture_most_off = 4096 };  /* some search all in float reaches hundreds: see torture_cut */
 static inline torture_fault torture_judge(const torture *t, size_t i, hit h, double *error)
 {
     torture_hit due = t->due[i];
@@ -317,7 +318,7 @@ static inline torture_fault torture_judge(const torture *t, size_t i, hit h, dou
         return TORTURE_ASTRAY;  /* nearer than the nearest would be a fault of this judge */
     double exact = (double)due.t.num / (double)due.t.den;
     *error = fabs((double)h.t - exact) / (0x1p-24 * fmax(fabs(exact), torture_reach(t->r[i])));
-    return TORTURE_RIGHT;
+    return *error <= torture_most_off ? TORTURE_RIGHT : TORTURE_ASTRAY;  /* a NaN is astray */
 }
 
 #endif

@@ -4,7 +4,8 @@
  *   split_longest          the axis along which the centres extend longest; in the middle
  *   split_cycle_median     axis by depth; as many items left as right, by selection in O(n)
  *   split_median           the longest axis; as many left as right
- *   split_binned           surface area heuristic (表面积启发式): the best of 15 planes an axis (14.6)
+ *   split_binned           surface area heuristic (表面积启发式): the best of 15 planes an axis (14.6),
+ *                          7 of fewer than 16 items; of 32768 and more a sample tells
  *   split_sweep            the same: the best of all places between two items, along all axes
  *
  *   size_t left = split_median(&s, item, n)

@@ -7,7 +7,7 @@
  *
  * Builds it of fewer shapes, asks the ray, and asks brute force. Shape k alone comes first
  * (no_shape: not known). Then a half of all is left out, then quarters, and so on, wherever that
- * leaves the answer wrong; that need not find the very fewest, as patience ends.
+ * leaves the answer wrong, but never shape k; that need not find the very fewest, as patience ends.
  */
 #ifndef COMPARE_LAB_FEWEST_H
 #define COMPARE_LAB_FEWEST_H
@@ -55,9 +55,11 @@ static inline size_t fewest_of(const contender *c, const contender_settings *how
     for (size_t part = n / 2; part > 0; part /= 2)
         for (size_t at = 0; at < n && part < n && built < most; built += n) {
             size_t cut = part < n - at ? part : n - at, left = n - cut;
+            bool holds = false;
+            for (size_t i = at; i < at + cut; i++) holds |= which[i] == alone;
             memcpy(fewer, which, at * sizeof *which);
             memcpy(fewer + at, which + at + cut, (left - at) * sizeof *which);
-            if (!fewest_wrong(c, how, x, r, fewer, left)) at += part;
+            if (holds || !fewest_wrong(c, how, x, r, fewer, left)) at += part;
             else memcpy(which, fewer, left * sizeof *which), n = left;
         }
     free(fewer);

@@ -135,6 +135,8 @@ static inline void file_run(const compare_settings *c, const world *w, const com
                  && prove_rays(&s, &all, false, false, stdout), w->name);
     s.rays[kind] = all;
     cost_kind(&s, kind, 7, cost_full);
+    for (int k = 0; k < s.entries; k++)  /* of all of them, as --costs has it, not of a sample */
+        if (s.entry[k].s) cost_count(&s.entry[k], kind, &all);
     table t = table_new("Rays from a file, one thread", cost_columns);
     for (int k = 0; k < s.entries; k++)
         cost_csv_row(&t, &s, &s.entry[k], file->any ? "any" : "closest", kind);

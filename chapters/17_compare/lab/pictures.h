@@ -102,7 +102,7 @@ static inline image visits_draw(const compare_settings *c, const world *w, bool 
     const options *o = c->o;
     line_up shown = choose_counting(&c->chosen);
     compare_begin(&s, w, &shown, c->most_bytes, 1);
-    int rows = s.entries / visits_columns + 1, across = o->width / visits_columns;
+    int rows = (s.entries + 1) / visits_columns + 1, across = o->width / visits_columns;
     image im = image_new(o->width, rows * (across > 0 ? across : 1));
     label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
     const compare_entry *e = compare_any(&s);
@@ -115,7 +115,7 @@ static inline image visits_draw(const compare_settings *c, const world *w, bool 
         *whole = sheet_place(p, sheet_visits, 1, k + 1, visits_columns, rows, o->threads, &im);
     }
     int left = (s.entries + 1) % visits_columns, x = left * across + 16;
-    if (left && across >= 120)  /* a place is free: what the colours say */
+    if (across >= 120)  /* in the last place: what the colours say */
         label_bar(&im, x, (rows - 1) * across + across / 2, across - 32, 9, work_colour, 0,
                   visits_most, "steps and tests");
     compare_end(&s);

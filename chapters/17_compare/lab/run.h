@@ -21,13 +21,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Proves, and measures: all kinds of rays, or diffuse ones alone. */
+/* Proves, and measures: all kinds of rays, or diffuse ones alone. sweep: building counts, too. */
 static inline void compare_measure(const compare_settings *c, comparison *s, const world *w,
-                                   bool all)
+                                   bool all, bool sweep)
 {
     bool quick = c->o->quick;
     int turns = quick ? 1 : all ? 5 : 3;
-    compare_begin(s, w, &c->chosen, c->most_bytes, all && !quick ? 3 : 1);
+    compare_begin(s, w, &c->chosen, c->most_bytes, (all || sweep) && !quick ? 3 : 1);
     compare_rays(s, quick ? 144 : compare_usual_rays, c->o->seed);
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
                                quick ? 200 : all ? 2400 : 400, c->o->seed, stdout), w->name);
@@ -57,7 +57,6 @@ static inline void draw_pictures(const compare_settings *c)
     image_free(&im);
     if (o->out) return;
     closed_draw(o);
-    if (!o->full && !o->quick && !c->to) return;
     if (!scene_world(scene_find("teapot"), o->quick ? 3 : 12, &w, &f)) fail(f);
     draw_visits(c, &w, true);
     world_free(&w);
@@ -96,7 +95,7 @@ static inline void compare_scene(const compare_settings *c, const compare_option
     if (own->files.rays) file_run(c, w, &own->files);
     else if (own->verify) verify_world(c, w);
     else {
-        compare_measure(c, &s, w, alone && !own->sweep);
+        compare_measure(c, &s, w, alone && !own->sweep, own->sweep);
         if (own->sweep) sweep_run(&s, c->to);
         else if (alone) cost_table(&s, c->to), printf("\n");
         fflush(stdout);
@@ -115,13 +114,13 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     for (const comparison *s = m->of; s < m->of + m->n; s++)
         proved += s->proved, by_brute += s->by_brute;
     snprintf(verdict, sizeof verdict, "%zu rays were proved to have the same hits in all "
-             "structures, %zu of them by brute force, before anything was timed. Each time is the "
-             "median of several turns on one thread, each structure warmed before its turn.",
-             proved, by_brute);
+             "structures, %zu of them by brute force, before anything was timed. A time of a ray "
+             "is %s on one thread, each structure warmed before its turn.",
+             proved, by_brute, c->o->quick ? "of one turn" : "the median of several turns");
     html_element(c->to, "h2", "Verdict");
     html_element(c->to, "p", verdict);
     if (book && !c->o->full) summary_few(m, c->to);
-    else if (book || own->report || own->mesh[1]) summary_print(m, c->to);
+    if (own->report || own->mesh[1] || (book && c->o->full)) summary_print(m, c->to);
     chart_show(m, c->to);
     if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);

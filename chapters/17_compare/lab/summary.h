@@ -45,17 +45,18 @@ static inline void summary_table(const measured_scenes *m, html_report *to, cons
     table t = table_new(title, columns);
     for (int k = 0; k < m->chosen->n; k++) {
         double build = 0;
-        size_t wrong = 0, held = 0;
+        size_t wrong = 0, held = 0, built = 0;
         if (of_ray <= 0 && !contender_counts(m->chosen->of[k].c)) continue;
         for (const comparison *s = m->of; s < end; s++) {
             const compare_entry *e = &s->entry[k];
-            if (e->fits) build += e->build;
+            if (e->fits) build += e->build, built++;
             wrong += e->wrong[0] + e->wrong[1], held += e->held[0] + e->held[1];
         }
         table_text(&t, "%s", m->chosen->of[k].label);
         if (few && held) table_text(&t, "%zu of %zu", wrong, held);
-        if (few && !held) table_text(&t, "none");
-        if (few) table_number(&t, build * 1e3);
+        if (few && !held) table_text(&t, built ? "none" : "-");
+        if (few && built) table_number(&t, build * 1e3);
+        if (few && !built) table_text(&t, "-");
         for (const comparison *s = m->of; s < end; s++) {
             const compare_entry *e = &s->entry[k];
             if (!e->fits) table_text(&t, "-");

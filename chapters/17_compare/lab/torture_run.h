@@ -3,7 +3,8 @@
  *   torture_run(&settings, folder, score)   folder NULL: writes nothing
  *
  * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right) for each class, asks every structure,
- * and prints how many answers are wrong, by class, and by whom. score, not NULL: reads
+ * and prints how many answers are wrong, by class, and by whom. (A hit whose t is off by more than
+ * torture_most_off is wrong, too.) score, not NULL: reads
  * CLASS.SCORE.hits instead, which any other renderer may have written, and judges that alone. Of
  * hits at the same t the files name the lowest triangle; the verdict takes each of them. Wrong
  * answers, but for those of the first versions, end the program with exit 1.
@@ -105,7 +106,8 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
         else if (w > first) first = w;
     }
     table_text(out, "%s", torture_list[k].name), table_text(out, "%s", torture_list[k].what);
-    table_count(out, wrong), table_count(out, first);
+    table_count(out, wrong);
+    if (!who) table_count(out, first);
     torture_free(&t);
 }
 
@@ -123,9 +125,12 @@ cold_inline void torture_run(const compare_settings *c, const char *folder, cons
     failure f;
     size_t faults = 0;
     torture_score score[compare_most] = {{0, 0}};
+    char own[160];
+    snprintf(own, sizeof own, "class|aims at|error: %.100s", who ? who : "");
     table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
                                       : "Wrong answers of 2000 a class; exact arithmetic judges",
-                          "class|aims at|error: structures|error: first versions, at most");
+                          who ? own : "class|aims at|error: structures|"
+                                      "error: first versions, at most");
     if (folder && c->o->csv) torture_check_csv(folder, c->o->csv);
     if (folder && !who && mkdir(folder, 0777) != 0 && errno != EEXIST)
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
