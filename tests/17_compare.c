@@ -873,8 +873,8 @@ static void own_destroy(void *s) { contender_free(own, s); }
 
 static void test_own(void)
 {
-    static const char chapters[] = " brute grid nested octree kdtree bsp bvh bvh-morton bvh-spatial "
-                                   "wide ";
+    static const char chapters[] = " brute grid nested octree kdtree bsp bvh bvh-morton "
+                                   "bvh-spatial wide ";
     int asked = 0;
     for (int k = 0; k < contenders; k++) {
         char name[64];

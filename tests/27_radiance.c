@@ -458,8 +458,8 @@ static void test_hidden_lamp(void)
            "sphere 0 3 0 2.5\n", (double[3]){4, 4, 4}, 300, mask);
 }
 
-/* A mirror all round that shines: L = Ke + Ks L. By dice on the mean, as without integrals; where it
- * is cut, all but 1/512 of it; and black rays, which everything adds, don't stand in the way. */
+/* A mirror all round that shines: L = Ke + Ks L. By dice on the mean, as without integrals; where
+ * it is cut, all but 1/512 of it; and black rays, which everything adds, don't stand in the way. */
 static void test_deep(void)
 {
     static const char text[] = "camera from 0 0 0 at 0.3 0.2 -1\nmaterial m\nillum 3\n"
@@ -480,7 +480,7 @@ static void test_deep(void)
 }
 
 /* Six plates of clear glass in an even sky of 1 are invisible, though light goes to and fro between
- * them in many weak branches; which may not be forgotten: a cut at 1/512 loses above a hundredth. */
+ * them in many weak branches, which may not be forgotten: a cut at 1/512 loses a hundredth. */
 static void test_plates(void)
 {
     char text[600];

@@ -291,7 +291,7 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
     return ok;
 }
 
-/* Is there a file of this name [n bytes] in the folder of `path`? The model needs it: it is kept. */
+/* Is there a file of this name [n bytes] in the folder of `path`? The model needs it: kept. */
 static inline bool obj_beside(const char *path, const char *name, size_t n)
 {
     char file[4096];
