@@ -66,6 +66,18 @@ static inline vec3 see_cells(const void *picture, real x, real y)
     return shown;
 }
 
+/* The stadium's last triangles are the hall: grey, and the small teapot copper. */
+static inline vec3 see_stadium(const void *picture, real x, real y)
+{
+    const trial_picture *p = picture;
+    ray r = trial_eye_ray(p, x, y);
+    hit h;
+    if (!p->verbs->hit(p->built, r, &h)) return grid_paper;
+    bool hall = h.shape >= p->m->triangles - 4032;  /* stadium.h */
+    vec3 light = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
+    return vmul(vmul(light, light), hall ? vec(0.3, 0.4, 0.52) : vec(0.95, 0.62, 0.4));
+}
+
 /* Cells and tests, of which p.most is white, on a logarithmic scale. */
 static inline vec3 see_work_log(const void *picture, real x, real y)
 {
@@ -143,7 +155,7 @@ cold_inline void draw_stadium(const options *o)
     const grid_sheet g = {
         3 * side + 12, side, 3, 2,
         {"the small teapot, near", "one level: work a ray", "two levels: work a ray"},
-        {{&s, &nested_trial, &grid_two_levels, c, most, 2, trial_mesh_colour},
+        {{&s, &nested_trial, &grid_two_levels, c, most, 2, see_stadium},
          {&s, &grid_trial, &grid_by_27, c, most, 1, see_work_log},
          {&s, &nested_trial, &grid_two_levels, c, most, 1, see_work_log}}};
     grid_draw(o, &g, "10_grid_stadium.png", false);
