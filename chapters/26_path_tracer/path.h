@@ -18,7 +18,10 @@
  *   path_tracer_free(&t)
  *
  * E[L] is the solution of the rendering equation (25.1) along r, whatever t.how says but for
- * `bounces` and `clamp`, which leave light out. How large the noise is is all that differs.
+ * `bounces` and `clamp`, which leave light out. How large the noise is is all that differs. It
+ * holds where the eye (of light_tracer.h: the lamp) is in air, and where bodies of glass do not
+ * nest, touch or overlap: a path begins in air, and is in air again when it leaves any body. 19's
+ * media.h and chapter 27 know these.
  *
  * Only what is called for:
  *   no ray at all       in scenes in which nothing shines
