@@ -8,9 +8,9 @@
  *   table           stdout, and the file of --csv
  *
  * images/ is for the pictures of the book: with another size, number of samples or seed, or an
- * option of the program's own (o.changed), and if Ctrl-C stopped them, they go to build/. With o.own,
- * which a program sets where its reader draws a model or a scene of their own, so does the main
- * picture, and no other is drawn.
+ * option of the program's own (o.changed), and if Ctrl-C stopped them, they go to build/. With
+ * o.own, which a program sets where its reader draws a model or a scene of their own, so does the
+ * main picture, and no other is drawn.
  *
  *   return output_done(&o);    the last line of main: says what was drawn, and where its page is
  *
