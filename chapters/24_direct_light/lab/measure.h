@@ -1,6 +1,6 @@
 /* measure.h: error against time for every way of drawing.
  *
- *   measure_ways(o)     main table: eight ways, box and plates; with --full a plot
+ *   measure_ways(o)     main table: all ways and first.h's, box and plates; --full: a plot
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
  *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
@@ -13,7 +13,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* ---- eight ways ---- */
+/* ---- eight ways, and the short book's ---- */
 
 static inline void plot_plates(const direct_survey *s, const options *o)
 {
@@ -30,15 +30,21 @@ static inline void plot_plates(const direct_survey *s, const options *o)
 
 static inline void measure_ways(const options *o)
 {
-    table t = table_new("Eight ways, 64 samples a point", "way|rays|error in the box [1]|time [us]|"
-                        "error at the plates [1]|time [us]");
+    table t = table_new("Eight ways and the short book's, 64 samples a point",
+                        "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
+                        "time [us]");
     direct_survey s[2];
-    survey_open(&s[0], o, STAGE_BOX, survey_points, o->full ? 2048 : 1024);
+    survey_open(&s[0], o, STAGE_FIRST, survey_points, o->full ? 2048 : 1024);
     survey_open(&s[1], o, STAGE_PLATES, survey_points, 1024);
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
-    for (int k = 0; k < direct_ways; k++) {
-        table_text(&t, "%s", direct_name[k]), table_number(&t, survey_rays(&s[0], k));
+    for (int k = 0; k < survey_ways; k++) {
+        table_text(&t, "%s", k == survey_first ? "first" : direct_name[k]);
+        table_number(&t, survey_rays(&s[0], k));
         for (int i = 0; i < 2; i++) {
+            if (k >= s[i].ways) {
+                table_text(&t, "-"), table_text(&t, "-");
+                continue;
+            }
             table_number(&t, s[i].error[k][survey_brief]);
             table_number(&t, 1e6 * s[i].seconds[k]);
         }

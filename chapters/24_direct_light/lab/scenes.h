@@ -3,6 +3,7 @@
  *   direct_stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
  *
  *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
+ *   STAGE_FIRST    the same as first.h has it, without leaning walls: what both versions are asked
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
  *                  that it mirrors four spheres of the same flux, small to large (left to right)
  *   STAGE_STRIP    a shining wall, low and long, that stands on the floor and touches it
@@ -14,8 +15,9 @@
 #define DIRECT_SCENES_H
 
 #include "../scenes/lit_cornell.h"
+#include "../scenes/lit_first.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP } direct_stage_name;
+typedef enum { STAGE_BOX, STAGE_FIRST, STAGE_PLATES, STAGE_STRIP } direct_stage_name;
 typedef struct { lit_scene s; camera c; real aspect, exposure; } direct_stage;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -26,6 +28,7 @@ static inline camera stage_camera_of(direct_stage_name name, real aspect)
 {
     const vec3 up = {0, 1, 0};
     return name == STAGE_BOX ? cornell_camera(aspect)
+         : name == STAGE_FIRST ? lit_first_camera()
          : name == STAGE_PLATES ? camera_at(plate_eye, vec(0, -2, 2.5), up, 28, aspect)
                                 : camera_at(vec(0, 2.2, 3), vec(0, .05, -1), up, 36, aspect);
 }
@@ -84,8 +87,10 @@ static inline void stage_strip(direct_stage *g)
 
 static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
-    *g = (direct_stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
+    first_scene first = first_cornell();
+    *g = (direct_stage){.aspect = name <= STAGE_FIRST ? 1 : (real)1.4, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
+    else if (name == STAGE_FIRST) lit_first_begin(&first, &g->s);
     else lit_begin(&g->s);
     if (name == STAGE_PLATES) stage_plates(g);
     if (name == STAGE_STRIP) stage_strip(g);

@@ -1,11 +1,14 @@
 /* survey.h: several ways of drawing at many points: error, rays, time.
  *
  *   direct_survey s;
- *   survey_open(&s, o, STAGE_BOX, across, reference);    points, and the truth at each
+ *   survey_open(&s, o, STAGE_FIRST, across, reference);  points, and the truth at each
  *   survey_measure(&s, o);            s.error[way][level] at 1, 4, 16, 64, 256 samples, all of them
  *                                     with --full, else at 64; s.seconds[way] of one sample
  *   survey_rays(&s, way)              rays of one sample
  *   survey_close(&s);
+ *
+ * A way is a direct_way, or survey_first: first.h's, by points of the lamp; s.ways of them, so that
+ * only STAGE_FIRST has the last. It is asked at the same points, about the same light.
  *
  * Errors: root of the mean square of (estimate - truth) / (truth + mean truth), over a grid of
  * points that the camera sees; so neither the brightest nor the darkest points decide alone. A
@@ -21,10 +24,14 @@
 enum { survey_levels = 5, survey_points = 20, survey_brief = 3 };  /* 64 samples */
 static inline uint32_t survey_samples(int level) { return (uint32_t)1 << 2 * level; }
 
-typedef struct { lit_hit h; vec3 wo; double truth; } seen_point;
+enum { survey_first = direct_ways, survey_ways };
+
+typedef struct { lit_hit h; vec3 wo; first_point x; double truth; } seen_point;
 
 typedef struct {
     direct_stage g;
+    first_scene first;           /* of STAGE_FIRST */
+    int ways;
     seen_point *point;
     size_t points;
     double mean;
@@ -33,22 +40,52 @@ typedef struct {
     direct_way best;
     bool full;                   /* else 64 samples alone */
     lit_lights all, one;
-    double error[direct_ways][survey_levels], seconds[direct_ways];  /* of one sample */
-    direct_work work[direct_ways][survey_levels];
+    double error[survey_ways][survey_levels], seconds[survey_ways];  /* of one sample */
+    direct_work work[survey_ways][survey_levels];
 } direct_survey;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline double grey(vec3 c) { return (double)(c.x + c.y + c.z) / 3; }
 
+/* The numbers of pair 1 (direct.h): first.h chooses the points that DIRECT_AREA chooses. */
+static inline random_stream survey_lamp_numbers(uint64_t seed, uint64_t pixel, uint32_t k)
+{
+    random_stream random = random_start(seed, pixel, k);
+    random.dimension = 2;
+    return random;
+}
+
+/* As survey_estimate; survey_first_rays counts its shadow rays, where no time is taken. */
+static inline double survey_estimate_first(const direct_survey *s, size_t i, uint64_t pixel,
+                                           uint32_t n, uint64_t seed)
+{
+    double sum = 0;
+    for (uint32_t k = 0; k < n; k++) {
+        random_stream random = survey_lamp_numbers(seed, pixel, k);
+        sum += grey(first_direct_by_lamp(&s->first, 0, s->point[i].x, &random));
+    }
+    return sum / n;
+}
+
+static inline void survey_first_rays(const direct_survey *s, size_t i, uint64_t pixel, uint32_t n,
+                                     direct_work *work)
+{
+    work->samples += n;
+    for (uint32_t k = 0; k < n; k++)
+        work->shadow += lit_first_asks(&s->first, s->point[i].x,
+                                       survey_lamp_numbers(s->seed, pixel, k));
+}
+
 /* The mean of n samples at point i; of random numbers those of number `pixel`. */
-static inline double survey_estimate(const direct_survey *s, direct_way way, const lit_lights *l,
+static inline double survey_estimate(const direct_survey *s, int way, const lit_lights *l,
                                      sequence_kind sequence, size_t i, uint64_t pixel, uint32_t n,
                                      uint64_t seed, direct_work *work)
 {
     const seen_point *p = &s->point[i];
-    direct d = {&s->g.s, way, l, work, false};
+    direct d = {&s->g.s, (direct_way)way, l, work, false};
     double sum = 0;
+    if (way == survey_first) return survey_estimate_first(s, i, pixel, n, seed);
     for (uint32_t k = 0; k < n; k++) {
         sampler q = sampler_start(sequence, seed, pixel, k, n);
         sum += grey(direct_light(&d, &p->h, p->wo, &q));
@@ -67,22 +104,24 @@ static inline void survey_reference(size_t i, void *context)
 static inline void survey_job(size_t job, void *context)
 {
     direct_survey *s = context;
-    int level = survey_levels - 1 - (int)job / direct_ways, way = (int)job % direct_ways;
+    int level = survey_levels - 1 - (int)job / s->ways, way = (int)job % s->ways;
     double square = 0;
     size_t runs = level < survey_brief ? 8 : level == survey_brief ? 2 : 1;
     if (!s->full && level != survey_brief) return;
     for (size_t i = 0; i < runs * s->points; i++) {
         size_t k = i % s->points;
         double truth = s->point[k].truth;
-        double x = survey_estimate(s, (direct_way)way, &s->one, SEQUENCE_RANDOM, k, i,
-                                   survey_samples(level), s->seed, &s->work[way][level]);
+        direct_work *work = &s->work[way][level];
+        double x = survey_estimate(s, way, &s->one, SEQUENCE_RANDOM, k, i, survey_samples(level),
+                                   s->seed, work);
+        if (way == survey_first) survey_first_rays(s, k, i, survey_samples(level), work);
         double off = (x - truth) / (truth + s->mean);
         square += off * off;
     }
     s->error[way][level] = sqrt(square / (double)(runs * s->points));
 }
 
-typedef struct { const direct_survey *s; direct_way way; } survey_run;
+typedef struct { const direct_survey *s; int way; } survey_run;
 enum { survey_timed_samples = 16 };
 static inline double survey_timed(void *context)
 {
@@ -100,7 +139,9 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
                                int across, uint32_t reference)
 {
     *s = (direct_survey){.seed = o->seed, .reference = o->quick ? 64 : reference, .full = o->full,
-                         .best = name == STAGE_PLATES ? DIRECT_POWER : DIRECT_ANGLE};
+                         .best = name == STAGE_PLATES ? DIRECT_POWER : DIRECT_ANGLE,
+                         .first = first_cornell(),
+                         .ways = name == STAGE_FIRST ? survey_ways : direct_ways};
     stage_open(name, &s->g);
     if (o->quick) across = 6;
     int down = (int)((real)across / s->g.aspect);
@@ -111,6 +152,9 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
                            across, down);
         if (!lit_trace(&s->g.s, r, &p->h) || p->h.emitter != lit_dark) continue;
         p->wo = vneg(vunit(r.d));
+        hit h;
+        if (name == STAGE_FIRST && first_scene_hit(&s->first, r, &h))
+            p->x = first_point_at(&s->first, r, h);
         s->points++;
     }
     lit_lights_of(&s->g.s, NULL, LIGHTS_ALL, &s->all);
@@ -121,12 +165,11 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
 
 static inline void survey_measure(direct_survey *s, const options *o)
 {
-    survey_run run[direct_ways];
-    parallel_whole(direct_ways * survey_levels, o->threads, "samples", survey_job, s);
-    for (int k = 0; k < direct_ways; k++) run[k] = (survey_run){s, (direct_way)k};
+    survey_run run[survey_ways];
+    parallel_whole((size_t)(s->ways * survey_levels), o->threads, "samples", survey_job, s);
+    for (int k = 0; k < s->ways; k++) run[k] = (survey_run){s, k};
     double samples = (double)s->points * survey_timed_samples;
-    bench_each(survey_timed, run, sizeof *run, direct_ways, o->full ? 5 : 1, 1 / samples,
-               s->seconds);
+    bench_each(survey_timed, run, sizeof *run, s->ways, o->full ? 5 : 1, 1 / samples, s->seconds);
 }
 
 static inline void survey_close(direct_survey *s)
