@@ -1,7 +1,9 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
- *   measure_strategies(o)   every strategy at 64 samples; --full: a plot, of 4, 16 and 64
+ *   measure_strategies(o)   every strategy at 64 samples, and first.h's; --full: a plot, of 4, 16
+ *                           and 64
  *
+ * The box is first.h's, without leaning walls, so that all are asked about the same light.
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
  * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
  * not see the light, where nothing is left to do.
@@ -10,10 +12,12 @@
 #define PATH_MEASURE_H
 
 #include "../../../common/lab/report.h"
+#include "../../24_direct_light/scenes/lit_first.h"
 #include "../../25_bounces/naive_path.h"
+#include "../first.h"
 #include "showcase.h"
 
-enum { strategies = 7, strategy_levels = 3 };
+enum { strategy_first = 7, strategies, strategy_levels = 3 };
 typedef struct { const char *name; path_options how; } strategy;
 static const strategy strategy_list[strategies] = {
     {"naive (25)", {SEQUENCE_RANDOM, false, false, ROULETTE_NONE, path_endless, 0, false}},
@@ -27,7 +31,8 @@ static const strategy strategy_list[strategies] = {
     {"lights + MIS + roulette",
      {SEQUENCE_RANDOM, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false}},
     {"the same, Sobol' (default)",
-     {SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false}}};
+     {SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false}},
+    {"first", {SEQUENCE_RANDOM, true, false, ROULETTE_FIXED, path_endless, 0, false}}};
 typedef struct { double error, seconds, rays; } measured;
 typedef struct {
     int side;
@@ -36,12 +41,20 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline void measure_shot(shot *s, const options *o, path_options how, int side)
+{
+    first_scene f = first_cornell();
+    s->c = (showcase){.eye = lit_first_camera()};
+    lit_first(&f, &s->c.s);
+    shot_begin(s, o, how, film_new(side, side));
+}
+
 static inline image measure_picture(const options *o, path_options how, int side, uint32_t samples)
 {
     shot s;
     options with = *o;
     with.seed = 77;
-    shot_of(&s, &with, "cornell", how, side, side);
+    measure_shot(&s, &with, how, side);
     if (!passes_range(render_passes(&s.j), &s.film, 0, samples)) die(parallel_stopped(), "stopped");
     image im = film_picture(&s.film);
     shot_free(&s);
@@ -59,31 +72,71 @@ static inline double measure_error(const measure_place *m, const image *im)
     return sqrt(sum / (double)n);
 }
 
-/* The mean square over some pictures. All strategies by the same loop; the first by 25's path. */
+/* Sample k of pixel i: its eye ray, and in *r its other numbers. half: of the pixel. */
+static inline ray measure_eye(const measure_place *m, camera c, int i, uint32_t k,
+                              const path_pixel half[2], path_random *r)
+{
+    *r = path_sample(&half[k % 2], k / 2, 1u << 31);
+    point2 u = path_pair(r);
+    return camera_ray(c, (real)(i % m->side) + u.u, (real)(i / m->side) + u.v, m->side, m->side);
+}
+
+static inline void measure_pixel(const strategy *y, int run, int i, path_pixel half[2])
+{
+    for (uint64_t k = 0; k < 2; k++)
+        path_pixel_of(&y->how, (uint64_t)run + 1, 2 * (uint64_t)i + k, &half[k]);
+}
+
+/* Rays of all paths of first.h, which does not count them: the steps of first_path_shade without
+ * light, by the same numbers. */
+static inline size_t measure_first_rays(const measure_place *m, const first_scene *s, int run,
+                                        uint32_t samples)
+{
+    size_t n = 0;
+    for (int i = 0; i < m->side * m->side; i++) {
+        path_pixel half[2];
+        measure_pixel(&strategy_list[strategy_first], run, i, half);
+        for (uint32_t k = 0; k < samples; k++) {
+            path_random random;
+            ray r = measure_eye(m, lit_first_camera(), i, k, half, &random);
+            hit h;
+            for (n++; first_scene_hit(s, r, &h); n++) {
+                first_point x = first_point_at(s, r, h);
+                n += lit_first_asks(s, x, random.own);
+                random.own.dimension += 2;
+                if (random_next(&random.own) >= first_go_on) break;
+                r = first_bounce(s, x, &random.own);
+            }
+        }
+    }
+    return n;
+}
+
+/* The mean square over some pictures. All strategies by the same loop: naive is 25's path, first
+ * that of first.h. */
 static inline measured measure_strategy(const measure_place *m, const options *o, const strategy *y,
                                         uint32_t samples, int runs)
 {
     measured x = {0, 0, 0};
+    first_scene first = first_cornell();
+    bool short_book = y == strategy_list + strategy_first;
     for (int run = 0; run < runs; run++) {
         shot s;
         naive_counts n = {0};
         path_counts c = {0};
         failure why;
-        shot_of(&s, o, "cornell", y->how, m->side, m->side);
+        measure_shot(&s, o, y->how, m->side);
         naive_path p = {&s.c.s, DIRECTIONS_BRDF, naive_endless, false};
         double start = clock_seconds();
         for (int i = 0; i < m->side * m->side; i++) {
             path_pixel half[2];
             film_pixel sum = {{{{{0, 0}}}}};
-            for (uint64_t k = 0; k < 2; k++)
-                path_pixel_of(&y->how, (uint64_t)run + 1, 2 * (uint64_t)i + k, &half[k]);
+            measure_pixel(y, run, i, half);
             for (uint32_t k = 0; k < samples; k++) {
-                path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
-                point2 u = path_pair(&r);
-                ray eye = camera_ray(s.c.eye, (real)(i % m->side) + u.u,
-                                     (real)(i / m->side) + u.v, m->side, m->side);
-                film_pixel_add(&sum, k, y == strategy_list
-                               ? naive_radiance(&p, eye, &r.pairs, &n)
+                path_random r;
+                ray eye = measure_eye(m, s.c.eye, i, k, half, &r);
+                film_pixel_add(&sum, k, short_book ? first_path(&first, eye, &r.own)
+                               : y == strategy_list ? naive_radiance(&p, eye, &r.pairs, &n)
                                : path_radiance(&s.t, eye, &r, &c));
             }
             film_gather(&s.film, (size_t)i, &sum);
@@ -92,7 +145,8 @@ static inline measured measure_strategy(const measure_place *m, const options *o
         film_cover(&s.film, 0, samples, &why);
         image im = film_picture(&s.film);
         double e = measure_error(m, &im);
-        x.error += e * e / runs, x.rays += (double)(path_rays(&c) + naive_rays(&n)) / runs;
+        size_t own = short_book ? measure_first_rays(m, &first, run, samples) : 0;
+        x.error += e * e / runs, x.rays += (double)(path_rays(&c) + naive_rays(&n) + own) / runs;
         image_free(&im), shot_free(&s);
     }
     x.error = sqrt(x.error);
