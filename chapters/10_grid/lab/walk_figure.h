@@ -53,7 +53,7 @@ static inline void walk_marks(figure *g, const items *x, const lattice *l)
             bool marked = false;
             for (size_t i = 0; i < x->n; i++)
                 marked |= exact ? items_overlap_box(x, i, cell) : items_overlap_bounds(x, i, cell);
-            if (marked) walk_cell(g, (size_t)c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
+            if (marked) walk_cell(g, (size_t)c, FIGURE_GREY, exact ? 0.35 : 0.12);
         }
 }
 
@@ -78,8 +78,8 @@ static inline void walk_t_axis(figure *g, const walk_wall *wall, int n, int axis
         if (wall[i].axis != axis) continue;
         double x = o + wall[i].t;
         if (last > 2 && !drawn) {
-            figure_line(g, last, y, x, y, FIGURE_BLUE, 3, FIGURE_WHOLE);
-            figure_text(g, (last + x) / 2, y, 0, -8, FIGURE_MIDDLE, FIGURE_BLUE, step[axis]);
+            figure_line(g, last, y, x, y, FIGURE_RED, 3, FIGURE_WHOLE);
+            figure_text(g, (last + x) / 2, y, 0, -8, FIGURE_MIDDLE, FIGURE_RED, step[axis]);
             drawn = true;
         }
         last = x;
@@ -92,11 +92,11 @@ static inline void walk_legend(figure *g)
 {
     static const char *const text[3] = {"touched by a shape", "only by the box around it",
                                         "passed by the ray, in this order"};
-    static const double opacity[3] = {0.45, 0.18, 0.3};
+    static const double opacity[3] = {0.35, 0.12, 0.45};
     for (int k = 0; k < 3; k++) {
         double x = 4.1 * k, y = walk_high + 0.25;
         figure_polygon(g, 4, (double[8]){x, y, x + 0.3, y, x + 0.3, y + 0.3, x, y + 0.3},
-                       k == 2 ? FIGURE_SKY : FIGURE_ORANGE, opacity[k], FIGURE_GREY);
+                       k == 2 ? FIGURE_SKY : FIGURE_GREY, opacity[k], FIGURE_GREY);
         figure_text(g, x + 0.4, y, 0, -4, FIGURE_LEFT, FIGURE_BLACK, text[k]);
     }
 }
@@ -127,12 +127,12 @@ cold_inline void draw_walk(const options *o)
     walk_legend(&g);
     walk_marks(&g, &all, &l);
     for (int i = 0; i <= n; i++) {
-        walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.3);
+        walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.45);
         double x = (double)(wall[i].cell % walk_wide), y = (double)(wall[i].cell / walk_wide);
         double middle = i ? (wall[i - 1].t + fmin(wall[i].t, (double)h.t)) / 2 : wall[i].t / 2;
         bool high = (double)ray_at(r, (real)middle).y > y + 0.5;  /* the ray: keep off it */
         figure_print(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
-                     high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, "%d", i + 1);
+                     high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLACK, "%d", i + 1);
     }
     for (int i = 0; i <= walk_wide; i++)
         figure_line(&g, i, 0, i, walk_high, FIGURE_GREY, 0.6, FIGURE_WHOLE);
@@ -144,17 +144,17 @@ cold_inline void draw_walk(const options *o)
                     FIGURE_WHOLE);
     }
     double ox = (double)r.o.x, oy = (double)r.o.y, ex = (double)e.x, ey = (double)e.y;
-    figure_line(&g, ox, oy, ex, ey, FIGURE_BLUE, 2, FIGURE_WHOLE);
+    figure_line(&g, ox, oy, ex, ey, FIGURE_RED, 2, FIGURE_WHOLE);
     for (int i = 0; i < n; i++) {
         vec3 p = ray_at(r, (real)wall[i].t);
         walk_crossing(&g, (double)p.x, (double)p.y, wall[i].axis);
     }
-    figure_dot(&g, ox, oy, 4, FIGURE_BLUE), figure_dot(&g, ex, ey, 6, FIGURE_RED);
-    figure_text(&g, ox, oy, -4, -10, FIGURE_LEFT, FIGURE_BLUE, "*o*");
+    figure_dot(&g, ox, oy, 4, FIGURE_RED), figure_dot(&g, ex, ey, 6, FIGURE_GREEN);
+    figure_text(&g, ox, oy, -4, -10, FIGURE_LEFT, FIGURE_RED, "*o*");
     figure_text(&g, 9.9, 1.5, 8, 4, FIGURE_LEFT, FIGURE_BLACK, "a");
     figure_text(&g, 11.3, 3.45, -4, -4, FIGURE_RIGHT, FIGURE_BLACK, "b");
-    figure_line(&g, ex, ey, ex, -1.5, FIGURE_RED, 1, FIGURE_DASHED);
-    figure_text(&g, ex, -1.5, 0, 15, FIGURE_MIDDLE, FIGURE_RED, "_t_ of the hit");
+    figure_line(&g, ex, ey, ex, -1.5, FIGURE_GREEN, 1, FIGURE_DASHED);
+    figure_text(&g, ex, -1.5, 0, 15, FIGURE_MIDDLE, FIGURE_GREEN, "_t_ of the hit");
     for (int axis = 0; axis < 2; axis++) walk_t_axis(&g, wall, n, axis, ox, 12.3);
     figure_end(&g);
     mesh_free(&m);

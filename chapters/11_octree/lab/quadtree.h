@@ -52,8 +52,8 @@ static inline void quadtree_cells(figure *g, const octree *t, uint32_t node, oct
         if (trail->node[i] == node) place = i + 1;
     if (places && place) figure_print(g, x, y, 2, -4, FIGURE_LEFT, FIGURE_BLACK, "*%d*", place);
     if (places) return;
-    figure_polygon(g, 4, (double[8]){x, y, X, y, X, Y, x, Y}, place ? FIGURE_ORANGE : FIGURE_BLUE,
-                   place ? 0.4 : n.kind ? 0.14 : 0, FIGURE_GREY);
+    figure_polygon(g, 4, (double[8]){x, y, X, y, X, Y, x, Y}, place ? FIGURE_SKY : FIGURE_GREY,
+                   place ? 0.75 : n.kind ? 0.2 : 0, FIGURE_GREY);
 }
 
 static inline void quadtree_line(figure *g, vec3 a, vec3 b, const char *colour, double width)
@@ -66,7 +66,7 @@ cold_inline void draw_quadtree(const options *o)
 {
     static const char *const legend[3] = {"an empty leaf", "a leaf with curves in it",
                                           "asked by the ray, in this order"};
-    static const double opacity[3] = {0, 0.14, 0.4};
+    static const double opacity[3] = {0, 0.2, 0.75};
     mesh m = quadtree_mesh();
     items x = items_of_mesh(&m);
     octree t;
@@ -81,14 +81,14 @@ cold_inline void draw_quadtree(const options *o)
     for (int k = 0; k < 3; k++) {
         double at = (double[3]){0, 145, 355}[k];
         figure_polygon(&g, 4, (double[8]){at, 0, at + 16, 0, at + 16, -16, at, -16},
-                       k == 2 ? FIGURE_ORANGE : FIGURE_BLUE, opacity[k], FIGURE_GREY);
+                       k == 2 ? FIGURE_SKY : FIGURE_GREY, opacity[k], FIGURE_GREY);
         figure_text(&g, at, 0, 24, 14, FIGURE_LEFT, FIGURE_BLACK, legend[k]);
     }
     double unit = quadtree_side / (double)t.size;
     figure_origin(&g, 10 - unit * (double)t.lo.x, 40 + quadtree_side + unit * (double)t.lo.y, unit);
     quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, false);
     for (size_t i = 0; i < m.triangles; i++)
-        quadtree_line(&g, m.v[3 * i], m.v[3 * i + 1], FIGURE_BLUE, 2.5);
+        quadtree_line(&g, m.v[3 * i], m.v[3 * i + 1], FIGURE_BLACK, 2.5);
     quadtree_line(&g, r.o, ray_at(r, h.t), FIGURE_RED, 2);
     quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, true);
     figure_dot(&g, (double)r.o.x, (double)r.o.y, 4, FIGURE_RED);
