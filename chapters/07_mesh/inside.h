@@ -27,7 +27,7 @@
 #ifndef MESH_INSIDE_H
 #define MESH_INSIDE_H
 
-#include "closest.h"
+#include "scene.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -40,7 +40,7 @@
 #define STRUCTURE_H
 
 #include "../../common/file.h"
-#include "../07_mesh/closest.h"
+#include "../07_mesh/scene.h"
 #include "aabb.h"
 
 typedef struct {

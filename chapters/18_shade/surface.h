@@ -37,7 +37,7 @@
 #ifndef SHADE_SURFACE_H
 #define SHADE_SURFACE_H
 
-#include "../07_mesh/closest.h"
+#include "../07_mesh/scene.h"
 
 typedef struct {
     vec3 p, n, ns;

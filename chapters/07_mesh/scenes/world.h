@@ -24,7 +24,7 @@
 #define MESH_WORLD_H
 
 #include "../../02_camera/frame.h"
-#include "../closest.h"
+#include "../scene.h"
 
 typedef struct { vec3 colour; real kd, ks, shine, transmit, ior; } finish;
 typedef struct { size_t first; finish finish; } finish_group;
