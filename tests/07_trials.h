@@ -12,6 +12,7 @@
 
 #include "../chapters/07_mesh/lab/naive.h"
 #include "../chapters/07_mesh/lab/trials.h"
+#include "../chapters/07_mesh/scene.h"
 #include "07_oracle.h"
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -65,6 +65,23 @@ plant chapters/02_b/lab/l.h ../../01_a/lab/l.h ../b.h
 seen=$(violations "$scratch/tree" | wc -l)
 if [ "$seen" -eq 10 ]; then ok; else no "10 broken includes were planted, $seen were found"; fi
 
+# reached DIR FILE: what FILE includes, and what that includes, and so on
+reached() {
+    includes "$1" | awk -v from="$2" '
+        { into[$1] = into[$1] " " $2 }
+        END { todo[n = 1] = from
+              while (n > 0) {
+                  k = split(into[todo[n--]], to, " ")
+                  for (i = 1; i <= k; i++) if (!seen[to[i]]++) { print to[i]; todo[++n] = to[i] }
+              } }'
+}
+
+# bvh_mesh.h keeps its promise: a program that has only triangles need not know the other shapes.
+reached . chapters/14_bvh/bvh_mesh.h >"$scratch/reached"
+if grep -q '^chapters/07_mesh/mesh\.h$' "$scratch/reached"; then ok; else no "bvh_mesh.h is not seen to reach mesh.h"; fi
+shapes=$(grep -E '^chapters/(03_sphere/|07_mesh/(shape|cone|polygon|scene)\.h)' "$scratch/reached")
+if [ -z "$shapes" ]; then ok; else no "bvh_mesh.h has only triangles and includes $shapes"; fi
+
 # Each main.c names its compile command in line 2, the same for all. In a tree that holds only common/
 # and chapters/ the first is compiled by it, and run. With WHOLE=1 (.ci/run) the compiler reads every one there;
 # without, the Makefile's build has read them, and the includes above lie in those two folders.

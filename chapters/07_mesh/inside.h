@@ -27,7 +27,8 @@
 #ifndef MESH_INSIDE_H
 #define MESH_INSIDE_H
 
-#include "scene.h"
+#include "mesh.h"
+#include "polygon.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

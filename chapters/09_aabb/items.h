@@ -14,6 +14,7 @@
 #ifndef ITEMS_H
 #define ITEMS_H
 
+#include "../07_mesh/scene.h"
 #include "structure.h"
 
 typedef struct { const mesh *m; const scene *s; size_t n; } items;  /* m or s; the other is NULL */

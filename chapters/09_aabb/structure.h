@@ -40,7 +40,7 @@
 #define STRUCTURE_H
 
 #include "../../common/file.h"
-#include "../07_mesh/scene.h"
+#include "../01_ray/hit.h"
 #include "aabb.h"
 
 typedef struct {

@@ -20,6 +20,7 @@
 #ifndef BVH_SEARCH_H
 #define BVH_SEARCH_H
 
+#include "../07_mesh/closest.h"
 #include "tree.h"
 
 /* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than node.h counts. */

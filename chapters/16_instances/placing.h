@@ -45,7 +45,9 @@
 #ifndef INSTANCES_PLACING_H
 #define INSTANCES_PLACING_H
 
+#include "../../common/numbers/wide.h"
 #include "../01_ray/affine.h"
+#include "../07_mesh/mesh.h"
 #include "../09_aabb/aabb.h"
 #include "../14_bvh/node.h"
 

@@ -13,6 +13,7 @@
 #define MESH_LAB_TRIALS_H
 
 #include "../../../common/random.h"
+#include "../closest.h"
 #include "../inside.h"
 #include "../scenes/as_first.h"
 #include "../scenes/specimens.h"
