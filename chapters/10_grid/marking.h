@@ -21,7 +21,7 @@
 #ifndef MARKING_H
 #define MARKING_H
 
-#include "overlap.h"
+#include "../09_aabb/overlap.h"
 #include "walk.h"
 
 typedef struct {

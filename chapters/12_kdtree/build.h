@@ -22,7 +22,7 @@
 #ifndef KDTREE_BUILD_H
 #define KDTREE_BUILD_H
 
-#include "../10_grid/overlap.h"
+#include "../09_aabb/overlap.h"
 #include "split.h"
 
 enum { kd_most_doubled = 3 };

@@ -28,7 +28,7 @@
 #ifndef OVERLAP_H
 #define OVERLAP_H
 
-#include "../09_aabb/items.h"
+#include "items.h"
 
 enum { overlap_corners = 8, overlap_most_axes = 1 + 3 * overlap_corners };
 
