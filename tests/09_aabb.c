@@ -86,7 +86,7 @@ static void test_oracle(void)
 {
     size_t wrong = 0, hit_count = 0;
     for (size_t i = 0; i < check_count(6000); i++) {
-        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 5, i);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % aabb_trial_kinds), 5, i);
         aabb_exact e = exact_aabb(c.b, c.r);
         hit_count += e.hit;
         if (e.hit && e.enter.d) wrong += !point_inside(c, e.enter);
@@ -125,8 +125,8 @@ static score score_of(aabb_test *test, aabb_trial_kind kind, size_t n)
  * float and 2e-15 in double, so in double there is no false alarm, and in float next to none. */
 static void test_ten_million(void)
 {
-    size_t n = check_count(10000000 / trial_kinds + 1), missed = 0, late = 0, alarms = 0;
-    for (int kind = 0; kind < trial_kinds; kind++) {
+    size_t n = check_count(10000000 / aabb_trial_kinds + 1), missed = 0, late = 0, alarms = 0;
+    for (int kind = 0; kind < aabb_trial_kinds; kind++) {
         score s = score_of(aabb_hit, (aabb_trial_kind)kind, n);
         check_equal(s.missed, 0, "%s: false negatives of %zu", trial_name[kind], s.hit);
         check_equal(s.late, 0, "%s: t_enter behind the exact one", trial_name[kind]);
@@ -140,7 +140,7 @@ static void test_prepared(void)
 {
     size_t differ = 0;
     for (size_t i = 0; i < check_count(300000); i++) {
-        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 2, i);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % aabb_trial_kinds), 2, i);
         aabb_inverse inverse = aabb_inverse_of(c.r);
         real t = -7, u = -7;
         differ += aabb_hit(c.b, c.r, &t) != aabb_hit_inverse(&c.b, &inverse, c.r, &u);
@@ -167,7 +167,7 @@ static void test_variants_fail(void)
                    "n (1/d) at a corner: equal t that round apart");
     check_at_least((double)score_of(aabb_hit_ize, TRIAL_EDGE, n).late * per, 0.1,
                    "Ize: t_enter rounded to nearest is late for many");
-    for (int kind = 0; kind < trial_kinds; kind++)
+    for (int kind = 0; kind < aabb_trial_kinds; kind++)
         check_equal(score_of(aabb_hit_ize, (aabb_trial_kind)kind, n).missed, 0,
                     "an exit widened by 2 ulp loses none of %s", trial_name[kind]);
     size_t ignored = score_of(first_aabb_hit, TRIAL_ANY, n).wrong_alarm;
@@ -199,7 +199,7 @@ static aabb_trial scaled_trial(size_t i, int low, int high, int d_low, int d_hig
                                int *t_exponent)
 {
     random_stream s = random_start(3, i, 0);
-    aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
+    aabb_trial_kind kind = (aabb_trial_kind)(i % aabb_trial_kinds);
     aabb_trial c = aabb_trial_of(kind, 3, i);
     bool has_interval = kind == TRIAL_CONTACT || kind == TRIAL_ANY;
     int least = has_interval ? low + 6 : 3 * low / 2, most = high - 3;
@@ -227,7 +227,7 @@ static void test_scales(void)
     for (size_t i = 0; i < check_count(1000000); i++) {
         int e;
         aabb_trial c = scaled_trial(i, low, high, low, high + 2, &e);
-        aabb_trial plain = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 3, i);
+        aabb_trial plain = aabb_trial_of((aabb_trial_kind)(i % aabb_trial_kinds), 3, i);
         aabb_exact exact = exact_aabb(plain.b, plain.r);
         real t = -7;
         if (!exact.hit) continue;
@@ -253,7 +253,7 @@ static void test_infinities(void)
     aabb all = {{-inf, -inf, -inf}, {inf, inf, inf}}, half = {{-inf, -inf, 0}, {inf, inf, inf}};
     size_t wrong_all = 0, wrong_half = 0, wrong_empty = 0;
     for (size_t i = 0; i < check_count(300000); i++) {
-        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 4, i);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % aabb_trial_kinds), 4, i);
         c.r.tmin = 0, c.r.tmax = i % 2 ? inf : 1000000;
         wrong_all += !hits(aabb_hit, all, c.r);
         if (c.r.d.z == 0) c.r.tmax = 1000000;  /* or it is met at t = infinity, as aabb.h says */
@@ -332,7 +332,7 @@ static void test_lanes(void)
 {
     size_t missed = 0, late = 0, differ = 0, empty = 0, shrunk = 0, n = check_count(500000);
     for (size_t i = 0; i < n; i++) {
-        aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
+        aabb_trial_kind kind = (aabb_trial_kind)(i % aabb_trial_kinds);
         aabb8 eight;
         aabb4 four;
         lanes_empty(eight.side[0], 8), lanes_empty(four.side[0], 4);
@@ -373,7 +373,7 @@ static void test_lanes_scales(void)
     for (size_t i = 0; i < check_count(600000); i++) {
         int e;
         aabb_trial c = scaled_trial(i, -most, most, -2 * most, 2 * most, &e);
-        aabb_trial plain = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 3, i);
+        aabb_trial plain = aabb_trial_of((aabb_trial_kind)(i % aabb_trial_kinds), 3, i);
         aabb_exact exact = exact_aabb(plain.b, plain.r);
         real t = 0;
         met += exact.hit, silent += isnan(aabb_lanes_of(c.r).inverse[0]) != 0;

@@ -93,18 +93,18 @@ static void test_spending(void)
         distributed_counts all = draw_look(&k, 3, kind, 2, &b);
         size_t pixels = 3 * w * h;
         check_equal(different(&a, &b), 0, "effects %d: the same picture if all is spent", effects);
-        check_equal(few.drawn[DRAWN_LENS], effects & EFFECT_LENS ? pixels : 0, "lens %d", effects);
+        check_equal(few.drawn[DRAWN_LENS], effects & LOOK_LENS ? pixels : 0, "lens %d", effects);
         check_equal(few.drawn[DRAWN_FILM], pixels, "film");
-        check(!few.drawn[DRAWN_LIGHT] == !(effects & EFFECT_SOFT), "light numbers, %d", effects);
-        check(!few.drawn[DRAWN_LOBE] == !(effects & EFFECT_GLOSSY), "lobe numbers, %d", effects);
-        check(!few.drawn[DRAWN_SKY] == !(effects & EFFECT_SKY), "sky numbers, %d", effects);
-        check(!few.rays.rays[RAY_SIGHT] == !(effects & EFFECT_SKY), "sky rays, %d", effects);
+        check(!few.drawn[DRAWN_LIGHT] == !(effects & LOOK_SOFT), "light numbers, %d", effects);
+        check(!few.drawn[DRAWN_LOBE] == !(effects & LOOK_GLOSSY), "lobe numbers, %d", effects);
+        check(!few.drawn[DRAWN_SKY] == !(effects & LOOK_SKY), "sky numbers, %d", effects);
+        check(!few.rays.rays[RAY_SIGHT] == !(effects & LOOK_SKY), "sky rays, %d", effects);
         check_equal(few.rays.rays[RAY_CAMERA], pixels, "camera rays");
         check(all.drawn[DRAWN_LENS] && all.drawn[DRAWN_LIGHT] && all.drawn[DRAWN_LOBE]
               && all.drawn[DRAWN_SKY], "all drawn");
         check(all.rays.rays[RAY_SHADOW] > few.rays.rays[RAY_SHADOW], "more shadow rays");
-        check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & EFFECT_SKY,
-              "more sky rays");
+        check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & LOOK_SKY,
+            "more sky rays");
     }
     image_free(&a), image_free(&b), showroom_free(g);
 }
@@ -115,21 +115,21 @@ static void test_none(void)
     showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
     showroom_look k;
-    showroom_set(&k, g, EFFECT_ALL);
+    showroom_set(&k, g, LOOK_ALL);
     distributed_counts full = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &a);
     k.light[0].colour = k.light[1].colour = (vec3){0, 0, 0};
     distributed_counts dark = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b);
     check_equal(dark.rays.rays[RAY_SHADOW], 0, "black lights");
     check_equal(dark.drawn[DRAWN_LIGHT], 0, "and no number for them");
-    showroom_set(&k, g, EFFECT_ALL), k.how.n = 0;
+    showroom_set(&k, g, LOOK_ALL), k.how.n = 0;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW], 0, "no light");
-    showroom_set(&k, g, EFFECT_ALL), k.how.ambient = (vec3){0, 0, 0};
+    showroom_set(&k, g, LOOK_ALL), k.how.ambient = (vec3){0, 0, 0};
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SIGHT], 0, "a black sky");
-    showroom_set(&k, g, EFFECT_ALL), k.how.material_of = matte;
+    showroom_set(&k, g, LOOK_ALL), k.how.material_of = matte;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "ks black");
-    showroom_set(&k, g, EFFECT_ALL), k.how.depth = 1;
+    showroom_set(&k, g, LOOK_ALL), k.how.depth = 1;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "depth 1");
-    showroom_set(&k, g, EFFECT_ALL);
+    showroom_set(&k, g, LOOK_ALL);
     for (int i = 0; i < 2; i++) k.light[i].at.z = -20, k.light[i].n.z = -1;
     check_at_most(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW],
                   full.rays.rays[RAY_SHADOW] / 4, "lights under the floor: only undersides ask");
@@ -149,7 +149,7 @@ static void test_reproducible(void)
     showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
     showroom_look k;
-    showroom_set(&k, g, EFFECT_ALL);
+    showroom_set(&k, g, LOOK_ALL);
     for (int kind = 0; kind < sequence_kinds; kind++) {
         draw_look(&k, 2, (sequence_kind)kind, 1, &a), draw_look(&k, 2, (sequence_kind)kind, 3, &b);
         check_equal(different(&a, &b), 0, "1 and 3 threads, %s", sequence_name[kind]);

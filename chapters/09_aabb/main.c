@@ -12,7 +12,7 @@ int main(int argc, char **argv)
                              defaults, NULL);
     bool right = !aabb_mine || aabb_prove(mine_aabb_hit, "mine", 30000, stdout);
     draw_room(&o), draw_slabs(&o), draw_aligned(&o);
-    measure_methods(&o);
+    measure_slabs(&o);
     if (o.full) measure_volumes(&o);
     return output_done(&o) || !right;
 }

@@ -12,7 +12,7 @@ static void draw(const options *o, const trial_scene *s, const char *path)
 {
     char name[512];
     image all = image_new(o->width, o->height);
-    bool whole = draw_strategies(o, s, !path, &all);
+    bool whole = draw_splits(o, s, !path, &all);
     output_picture(o, &all, picture_name("12_kdtree.png", path, name), true, whole);
     image_free(&all);
 }

@@ -31,7 +31,7 @@ int main(int argc, char **argv)
     image_free(&im), trial_scene_free(&s);
     if (o.own || o.out) return output_done(&o);
     draw_strip(&o), draw_cyclic(&o);
-    table_of_rules(&o);
+    table_of_choices(&o);
     if (o.full) table_of_scenes(&o), table_of_losses(&o);
     return output_done(&o);
 }

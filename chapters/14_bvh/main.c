@@ -60,9 +60,9 @@ int main(int argc, char **argv)
     if (!path) s.m = teapot_mesh(o.quick ? 8 : 40);
     s.x = items_of_mesh(&s.m);
     o.own = path || pixel;
-    if (pixel) pixel_explain(&o, &s.m, how, z_up, pixel);
+    if (pixel) bvh_explain(&o, &s.m, how, z_up, pixel);
     else trial_draw_mesh(&o, &s, &bvh_trial, &how, z_up, "14_bvh.png", path);
-    if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
+    if (!o.own && !o.out) draw_nested(&o), draw_rules(&o, &s), measure(&o);
     trial_scene_free(&s);
     return output_done(&o);
 }

@@ -41,15 +41,15 @@ int main(int argc, char **argv)
     o.own = how || pixel || pov;
     if (how) spd_protocol(&o, name, scale);
     if (pov) povray_race(pov);
-    if (pixel) pixel_explain(&o, pixel);
+    if (pixel) whitted_explain(&o, pixel);
     if (o.own) return output_done(&o);
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
     draw_tank(&o);
-    pixel_explain(&o, NULL);
+    whitted_explain(&o, NULL);
     draw_wavefronts(&o);
     draw_critical(&o);
-    table_of_knobs(&o);
+    table_of_depths(&o);
     if (o.full) draw_depths(&o), table_of_first(&o);
     return output_done(&o);
 }

@@ -21,7 +21,7 @@ int main(int argc, char **argv)
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
-    int chosen = every ? EFFECT_ALL : 0;
+    int chosen = every ? LOOK_ALL : 0;
     for (const char *c = effects; *c && !named; c++) {
         const char *at = strchr(letters, *c);
         if (!at) die(2, "--effects %s: all, none, or letters of s g o l", effects);
@@ -37,7 +37,7 @@ int main(int argc, char **argv)
     draw_showroom(&o, 0, false, "21_distributed_whitted.png");
     draw_extent(&o);
     if (o.full && !getenv("BENCH_ONCE"))  /* bench.h: the tables are all that is asked for */
-        draw_teapot(&o), draw_box(&o), draw_motion(&o);
+        draw_teapot(&o), draw_cornell(&o), draw_motion(&o);
     table_of_pictures(&o);
     return output_done(&o);
 }

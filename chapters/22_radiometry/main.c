@@ -13,7 +13,7 @@ int main(int argc, char **argv)
                              "Light as something measured: irradiance of three lights.", defaults,
                              NULL);
     draw_floor(&o), draw_view(&o), draw_angles(&o);
-    measure_ways(&o);
+    measure_estimators(&o);
     if (o.full) {
         measure_relations(&o);
         measure_hard(&o);

@@ -13,7 +13,7 @@ int main(int argc, char **argv)
                              "BRDFs, and the reflection equation: error against time.", defaults,
                              NULL);
     draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
-    measure_methods(&o);
+    measure_glossy(&o);
     if (o.full) measure_furnace(&o), measure_naive(&o);
     return output_done(&o);
 }

@@ -21,6 +21,6 @@ int main(int argc, char **argv)
     draw_terms(&o);
     if (!o.out) draw_tree(&o, 205, 190);
     measure_branches(&o);
-    if (o.full) measure_furnace(&o), measure_cornell(&o), measure_notes(&o);
+    if (o.full) measure_series(&o), measure_cornell(&o), measure_notes(&o);
     return output_done(&o);
 }

@@ -36,7 +36,7 @@ int main(int argc, char **argv)
         c.scene = NULL, o.own = true;
         if (command_given(&c, &o) || o.out || o.csv)
             die(2, "--pixel goes with --scene, --size and --seed alone");
-        pixel_explain(&o, name, pixel);
+        path_explain(&o, name, pixel);
         return output_done(&o);
     }
     if (command_given(&c, &o)) {

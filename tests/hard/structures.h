@@ -25,7 +25,7 @@ static inline hard_count boxes(int k, real x)
     hard_count c = {0, 0, 0};
     (void)x;
     for (size_t i = 0; i < 50000; i++) {
-        bool full = k == trial_kinds;
+        bool full = k == aabb_trial_kinds;
         aabb_trial t = full ? aabb_full_trial_of(TRIAL_CORNER, hard_seed, i)
                             : aabb_trial_of((aabb_trial_kind)k, hard_seed, i);
         real enter;
@@ -373,7 +373,7 @@ static const hard_case hard_structures[] = {
     {"09", "corner", "three planes at one t", WHOLE, boxes, TRIAL_CORNER, 0, PROMISED},
     {"09", "contact", "interval ends where it enters", WHOLE, boxes, TRIAL_CONTACT, 0, PROMISED},
     {"09", "any", "any box, any ray", WHOLE, boxes, TRIAL_ANY, 0, PROMISED},
-    {"09", "all digits", "corners, all digits in use", WIDE, boxes, trial_kinds, 0, PROMISED},
+    {"09", "all digits", "corners, all digits in use", WIDE, boxes, aabb_trial_kinds, 0, PROMISED},
     {"10", "large triangles", "the first cell with a hit ends it", "brute", grids, -1, 0, PROMISED},
     {"10", "t added up", "edges of cells, 1e5 in a row", WHOLE, walks, 0, 100000, IN_DOUBLE},
     {"10", "grid, from afar", "1e7 sizes in float, 1e13", "brute", afar, 0, (real)1e7, PROMISED},

@@ -25,7 +25,7 @@ static const vec3 sphere_red = {0.8, 0.1, 0.05};
 static const vec3 sphere_blue = {0.05, 0.25, 0.8};
 
 /* From o = far u to the point x, y of the plane through the centre. */
-static inline ray sphere_view(real far, real x, real y)
+static inline ray sphere_eye_ray(real far, real x, real y)
 {
     vec3 u = vunit((vec3){1, 2, 3}), right, up;
     vbasis(u, &right, &up);
@@ -39,7 +39,7 @@ typedef struct { sphere_hit_function *X_hit; real far, width, height, scale; } s
 static vec3 sphere_panel_colour(const void *context, real x, real y)
 {
     const sphere_panel *p = context;
-    ray r = sphere_view(p->far, (x - p->width / 2) * p->scale, (p->height / 2 - y) * p->scale);
+    ray r = sphere_eye_ray(p->far, (x - p->width / 2) * p->scale, (p->height / 2 - y) * p->scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
     bool is = p->X_hit(ball, r, &found), due = sphere_clearance(ball, r) <= 0;

@@ -34,7 +34,7 @@ static inline raster orders_by(orders_way *k)
     return s;
 }
 
-static inline double orders_run(void *context)
+static inline double orders_once(void *context)
 {
     raster s = orders_by(context);
     double sum = (double)s.h[s.nx * s.ny / 2].t;
@@ -61,7 +61,7 @@ static inline void orders_measure(const options *o)
                                "error: unexplained|time [ms]");
     for (int k = 0; k < orders_ways; k++)
         way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
-    bench_each(orders_run, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
+    bench_each(orders_once, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
     for (int k = 0; k < orders_ways; k++) {
         raster s = bits[k] < 0 ? due : orders_by(&way[k]);
         int step = bits[k] > 0 ? bits[k] : 8;
@@ -97,7 +97,7 @@ static inline void orders_times(const options *o)
         int few = nx / less > 4 ? nx / less : 4;
         orders_way way[2] = {{&m, c, nx, ny, 8, 0, 0}, {&m, c, few, few * 3 / 4, -1, 0, 0}};
         double ms[2];
-        bench_each(orders_run, way, sizeof *way, 2, 3, 1e3, ms);
+        bench_each(orders_once, way, sizeof *way, 2, 3, 1e3, ms);
         raster s = orders_by(&way[0]);
         ms[1] *= (double)n / (few * (few * 3 / 4));
         table_count(&t, m.triangles);

@@ -30,10 +30,10 @@
 #include "../aabb.h"
 
 typedef enum {
-    TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE, TRIAL_CORNER, TRIAL_CONTACT, TRIAL_ANY, trial_kinds
+    TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE, TRIAL_CORNER, TRIAL_CONTACT, TRIAL_ANY, aabb_trial_kinds
 } aabb_trial_kind;
 
-static const char *const trial_name[trial_kinds] = {
+static const char *const trial_name[aabb_trial_kinds] = {
     "in a plane", "flat box", "edge", "corner", "interval ends there", "any"};
 
 typedef struct { aabb b; ray r; } aabb_trial;

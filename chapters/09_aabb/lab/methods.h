@@ -1,6 +1,6 @@
 /* methods.h: what each slab test loses, case by case, and what it takes: the main table.
  *
- *   measure_methods(&o)   the table of the page, and the plot of loss against time
+ *   measure_slabs(&o)     the table of the page, and the plot of loss against time
  *   measure_volumes(&o)   bounding sphere, box and turned box: false alarms, and the time of a test
  */
 #ifndef AABB_METHODS_H
@@ -110,7 +110,7 @@ static inline void time_passes(const options *o, int n, const aabb_row *row, dou
 /* ---- tables ---- */
 
 /* The kinds of exact.h, and the corner with all digits. */
-enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds, aabb_late };
+enum { aabb_cases = aabb_trial_kinds + 1, aabb_digits = aabb_trial_kinds, aabb_late };
 typedef struct {  /* per cent; late: of the corners found */
     const options *o;
     double of[aabb_row_count][aabb_late + 1];
@@ -140,7 +140,7 @@ static inline void losses_of_case(size_t kind, void *context)
     }
 }
 
-static inline void measure_methods(const options *o)
+static inline void measure_slabs(const options *o)
 {
     static const int shown[] = {TRIAL_PARALLEL, TRIAL_FLAT, aabb_digits, aabb_late};
     double ns[aabb_row_count];

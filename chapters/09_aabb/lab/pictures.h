@@ -42,7 +42,7 @@ static inline vec3 face_normal(aabb b, vec3 p)
     return vwith(vec(0, 0, 0), best, 1);
 }
 
-static vec3 room_colour(const void *context, real x, real y)
+static vec3 aabb_room_colour(const void *context, real x, real y)
 {
     const aabb_room *s = context;
     ray r = camera_ray(s->view, x, y, s->width, s->height);
@@ -69,7 +69,7 @@ cold_inline void draw_room(const options *o)
     const aabb_room s[3] = {{first_aabb_hit, v, w, h}, {aabb_hit, v, w, h},
                             {mine_aabb_hit, v, w, h}};
     const panel p[3] = {{"first_aabb_hit", &s[0]}, {"aabb_hit", &s[1]}, {"mine", &s[2]}};
-    panels_draw(o, "09_aabb.png", true, g, room_colour, p);
+    panels_draw(o, "09_aabb.png", true, g, aabb_room_colour, p);
 }
 
 /* ---- rays along an axis ---- */

@@ -1,6 +1,6 @@
 /* pictures.h: what each pixel's ray took.
  *
- *   draw_strategies(o, &s, z_up, &all)       four panels: middle, median, SAH at equal leaves;
+ *   draw_splits(o, &s, z_up, &all)           four panels: middle, median, SAH at equal leaves;
  *                                            SAH by cost; of the book: with titles
  *   draw_final(o)                            what is lost if the first hit is taken for the closest
  */
@@ -16,7 +16,7 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* A title above each panel, and the colours below all. */
-cold_inline bool draw_strategies(const options *o, const trial_scene *s, bool z_up, image *all)
+cold_inline bool draw_splits(const options *o, const trial_scene *s, bool z_up, image *all)
 {
     static const char *const title[4] = {"middle, leaves of 16", "median, leaves of 16",
                                          "SAH, leaves of 16", "SAH, as fine as the cost says"};

@@ -1,6 +1,6 @@
 /* measure.h: the rules that pick planes, measured (09_aabb/trials/bench.h).
  *
- *   table_of_rules(o)       the main table, and the plot of building against searching
+ *   table_of_choices(o)     the main table, and the plot of building against searching
  *   table_of_scenes(o)      planes across the axes and of any direction, scene by scene
  *   table_of_losses(o)      wrong hits of 6000 rays aimed where planes are
  */
@@ -87,7 +87,7 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
     output_plot(o, &p, "13_bsp_time.svg");
 }
 
-static inline void table_of_rules(const options *o)
+static inline void table_of_choices(const options *o)
 {
     static const trial_columns own = {"|planes a shape|slanted [%]|empty [%]", bsp_cells};
     int n = o->full ? bsp_candidates : bsp_short, width = o->quick ? 40 : o->full ? 160 : 80;

@@ -2,7 +2,7 @@
  * that it asks, its hit and how far that is off. In words, lines with the number of their equation,
  * and as a drawing along t.
  *
- *   pixel_explain(&o, &m, how, z_up, "320,200")   that pixel's middle, columns and rows from 0;
+ *   bvh_explain(&o, &m, how, z_up, "320,200")     that pixel's middle, columns and rows from 0;
  *                                                 the drawing goes to build/14_bvh_pixel.svg
  *
  * The walk here is tree_search (search.h) as a recursion, so that it can speak; that both do the
@@ -142,8 +142,8 @@ static inline void pixel_draw(const options *o, const pixel_walk *w, const char 
     figure_end(&g);
 }
 
-cold_inline void pixel_explain(const options *o, const mesh *m, bvh_options how, bool z_up,
-                                 const char *text)
+cold_inline void bvh_explain(const options *o, const mesh *m, bvh_options how, bool z_up,
+                             const char *text)
 {
     int xy[2];
     char title[80];

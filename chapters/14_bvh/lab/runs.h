@@ -1,4 +1,4 @@
-/* runs.h: draw_visits(o, &s): what each pixel took, by four of the rules. */
+/* runs.h: draw_rules(o, &s): what each pixel took, by four of the rules. */
 #ifndef BVH_RUNS_H
 #define BVH_RUNS_H
 
@@ -9,7 +9,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-cold_inline void draw_visits(const options *o, const trial_scene *s)
+cold_inline void draw_rules(const options *o, const trial_scene *s)
 {
     enum { most = 160, bar = 44 };
     static const char *const rule[4] = {"cycle", "longest", "median", "sah"};

@@ -15,7 +15,7 @@
 
 static inline bool bvh8_leaky(const bvh8 *w, ray r, hit *out)
 {
-    return EIGHT_CALL(w->dialect, bvh8_leaky, w, &r, out);
+    return EIGHT_CALL(w->dialect, bvh8_find_leaky, w, &r, out);
 }
 
 static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out) { return bvh8_leaky(w, r, out); }

@@ -2,7 +2,7 @@
  * dialect, by dialects.h: no guard.
  */
 EIGHT_TARGET __attribute__((noinline))
-static bool EIGHT(bvh8_leaky)(const bvh8 *w, const ray *r, hit *out)
+static bool EIGHT(bvh8_find_leaky)(const bvh8 *w, const ray *r, hit *out)
 {
     uint64_t stack[bvh8_stack], *top = stack;
     bvh8_ray q;

@@ -1,6 +1,6 @@
 /* measure.h: the tables.
  *
- *   table_of_knobs(&o)      error against time over depth and over the cut, and its plot
+ *   table_of_depths(&o)     error against time over depth and over the cut, and its plot
  *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
 #ifndef WHITTED_LAB_MEASURE_H
@@ -36,7 +36,7 @@ static const struct { int depth; double least; } knobs[] = {
 
 /* Against depth 64 and a cut of 1e-10: what that leaves out does not show in a picture of floats,
  * and without any cut depth 64 takes more than a hundred times as long. */
-static inline void table_of_knobs(const options *o)
+static inline void table_of_depths(const options *o)
 {
     whitted_stage *f = forty_new();
     int w = o->quick ? 48 : 160, h = w * 3 / 4;

@@ -65,8 +65,8 @@ cold_inline void draw_two_spheres(const options *o, bool spend_all)
 }
 
 /* A panel for each `how`, side by side, two in a row. Frees s. */
-static inline void draw_panels(const options *o, const char *name, whitted_stage *s, camera c,
-                               int w, const whitted *how, const char *const *title, int n)
+static inline void draw_variants(const options *o, const char *name, whitted_stage *s, camera c,
+                                 int w, const whitted *how, const char *const *title, int n)
 {
     int h = w * 3 / 4, rows = n / 2;
     bool whole = true;
@@ -87,8 +87,8 @@ cold_inline void draw_tank(const options *o)
     whitted_stage *k = tank_new();
     whitted how[2] = {k->w, k->w};
     how[0].apart = true;
-    draw_panels(o, "19_whitted_tank.png", k, tank_camera((real)4 / 3), o->quick ? 96 : 320, how,
-                title, 2);
+    draw_variants(o, "19_whitted_tank.png", k, tank_camera((real)4 / 3), o->quick ? 96 : 320, how,
+                  title, 2);
 }
 
 cold_inline void draw_depths(const options *o)
@@ -97,8 +97,8 @@ cold_inline void draw_depths(const options *o)
     whitted_stage *f = forty_new();
     whitted how[4] = {f->w, f->w, f->w, f->w};
     for (int i = 0; i < 3; i++) how[i].depth = i + 1;
-    draw_panels(o, "19_whitted_depth.png", f, forty_camera((real)4 / 3), o->quick ? 64 : 360, how,
-                title, 4);
+    draw_variants(o, "19_whitted_depth.png", f, forty_camera((real)4 / 3), o->quick ? 64 : 360, how,
+                  title, 4);
 }
 
 #endif

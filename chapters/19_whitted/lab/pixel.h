@@ -1,9 +1,9 @@
 /* pixel.h: one pixel's ray, and all that comes of it, in words, lines with the number of their
  * equation, and drawn as a tree.
  *
- *   pixel_explain(&o, "345,140")    of the two spheres: that pixel's middle, columns and rows from
+ *   whitted_explain(&o, "345,140")  of the two spheres: that pixel's middle, columns and rows from
  *                                   0; the drawing goes to build/19_whitted_pixel.svg
- *   pixel_explain(&o, NULL)         nothing said; this page's drawing, 19_whitted_tree.svg
+ *   whitted_explain(&o, NULL)       nothing said; this page's drawing, 19_whitted_tree.svg
  *
  * The walk here is whitted_trace (whitted.h), so that it can speak; that both bring the same light
  * by as many rays is tested each time. What each ray adds is what it finds times its weight: the
@@ -90,7 +90,7 @@ static inline int pixel_shares(const whitted *w, const whitted_branch *b, const 
 }
 
 /* whitted_trace, in words. */
-static inline vec3 pixel_visit(tracer *t, const ray_tree *x, whitted_branch *b)
+static inline vec3 pixel_branch(tracer *t, const ray_tree *x, whitted_branch *b)
 {
     const whitted *w = t->user;
     whitted_branch child[2];
@@ -119,11 +119,11 @@ static inline vec3 pixel_visit(tracer *t, const ray_tree *x, whitted_branch *b)
                      n ? "one of both" : "what goes on");
     else if (n < wanted) explain_line(deep, "", "the last depth: nothing goes on");
     for (int k = 0; k < n; k++)
-        L = vadd(L, vmul(child[k].share, pixel_visit(t, x, &child[k])));
+        L = vadd(L, vmul(child[k].share, pixel_branch(t, x, &child[k])));
     return vmul(p.left, L);
 }
 
-cold_inline void pixel_explain(const options *o, const char *text)
+cold_inline void whitted_explain(const options *o, const char *text)
 {
     int xy[2] = {345, 140}, w = text ? o->width : 640, h = text ? o->height : 480;
     char room[512];
@@ -140,7 +140,7 @@ cold_inline void pixel_explain(const options *o, const char *text)
         explain_vector(0, "(2.5)", "o =", r.o);
         whitted_branch eye = whitted_eye(r, (media_set){0});
         ray_tree_begin(x);
-        vec3 L = pixel_visit(&t, x, &eye);
+        vec3 L = pixel_branch(&t, x, &eye);
         if (!vzero(vsub(L, due)) || x->full || memcmp(&t.counts, &again.counts, sizeof t.counts))
             die(1, "--pixel: this walk is not that of whitted.h");
         explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);

@@ -54,7 +54,7 @@ static inline double dome_sample(int way, dome_place at, point2 q)
     return way == 0 ? 2 * (double)w.z : 1;
 }
 
-static inline vec3 dome_colour(const void *context, real px, real py)
+static inline vec3 dome_pixel(const void *context, real px, real py)
 {
     const dome_job *job = context;
     int x = (int)px, y = (int)py;
@@ -84,7 +84,7 @@ static inline void draw_dome(const options *o)
     for (int k = 0; k < dome_ways && whole; k++) {
         double sum = 0, n = 0;
         job.way = k;
-        whole = pixels_draw(&one, 1, o->threads, "sky", dome_colour, &job);
+        whole = pixels_draw(&one, 1, o->threads, "sky", dome_pixel, &job);
         for (int i = 0; i < dome_wide * dome_high; i++)
             if (job.square[i] >= 0) sum += job.square[i], n++;
         snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k], sqrt(sum / n));

@@ -11,12 +11,12 @@
 #include "../../../common/lab/t_test.h"
 #include "pictures.h"
 
-enum { measure_methods = 3, measure_levels = 4 };
-static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
+enum { picture_methods = 3, measure_levels = 4 };
+static const sequence_kind picture_method[picture_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
                                                               SEQUENCE_SOBOL};
 
 typedef struct { distributed_view v; image im; } distributed_run;
-typedef struct { double error[measure_methods][measure_levels], seconds[measure_methods]; }
+typedef struct { double error[picture_methods][measure_levels], seconds[picture_methods]; }
     distributed_study;
 
 /* As a screen shows it: white is white. Else a few reflections of lamps would be all the error.
@@ -43,11 +43,11 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
     int w = o->quick ? 12 : 20, h = w * 3 / 4;
     image im = image_new(w, h), reference = image_new(w, h);
     distributed_study p = {.seconds = {0}};
-    distributed_run run[measure_methods];
+    distributed_run run[picture_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
     picture_draw(&v, &reference, o->threads), v.seed = o->seed;
-    for (int m = 0; m < measure_methods; m++) {
-        v.kind = measure_method[m];
+    for (int m = 0; m < picture_methods; m++) {
+        v.kind = picture_method[m];
         for (int l = 0; l < levels; l++) {
             v.samples = (uint32_t)1 << 2 * l;
             picture_draw(&v, &im, o->threads);
@@ -55,7 +55,7 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
         }
         run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
     }
-    bench_each(picture_seconds, run, sizeof *run, measure_methods, o->full ? 3 : 1, 1.0 / 16,
+    bench_each(picture_seconds, run, sizeof *run, picture_methods, o->full ? 3 : 1, 1.0 / 16,
                p.seconds);
     image_free(&im), image_free(&reference);
     return p;
@@ -76,7 +76,7 @@ static inline void table_of_pictures(const options *o)
     showroom *g = showroom_new(o->quick ? 4 : 8);
     pool *balls = pool_new(1);
     showroom_look k[2];
-    showroom_set(&k[0], g, EFFECT_SOFT), showroom_set(&k[1], g, EFFECT_ALL);
+    showroom_set(&k[0], g, LOOK_SOFT), showroom_set(&k[1], g, LOOK_ALL);
     distributed_view views[3] = {showroom_view(&k[0], SHOWROOM_SOFT, (real)4 / 3),
                                  pool_view(balls, (real)4 / 3),
                                  showroom_view(&k[1], SHOWROOM_ALL, (real)4 / 3)};
@@ -88,8 +88,8 @@ static inline void table_of_pictures(const options *o)
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int e = 0; e < 3; e++) {
         distributed_study p = picture_measure(o, views[e], levels);
-        for (int m = 0; m < measure_methods; m++) {
-            const char *method = sequence_name[measure_method[m]];
+        for (int m = 0; m < picture_methods; m++) {
+            const char *method = sequence_name[picture_method[m]];
             char both[64];
             snprintf(both, sizeof both, "%s, %s", names[e], method);
             int series = plot_series(&time, both);

@@ -2,14 +2,14 @@
  *
  *   showroom *g = showroom_new(n);                 teapot of n x n cells a patch; showroom_free
  *   showroom_look k;
- *   showroom_set(&k, g, EFFECT_SOFT | EFFECT_SKY);   what is off is as Whitted has it:
- *       EFFECT_SOFT     softbox and lamp have a size    else all their light comes from the middle
- *       EFFECT_GLOSSY   lobes                           else perfect mirrors
- *       EFFECT_SKY      ambient light can be hidden     else a constant
- *       EFFECT_LENS     a lens of radius .22            else a pinhole
+ *   showroom_set(&k, g, LOOK_SOFT | LOOK_SKY);       what is off is as Whitted has it:
+ *       LOOK_SOFT       softbox and lamp have a size    else all their light comes from the middle
+ *       LOOK_GLOSSY     lobes                           else perfect mirrors
+ *       LOOK_SKY        ambient light can be hidden     else a constant
+ *       LOOK_LENS       a lens of radius .22            else a pinhole
  *   distributed_view v = showroom_view(&k, SHOWROOM_ALL, aspect);   or a close-up for one effect
  *
- * Ambient light and background are the same even sky, so what EFFECT_SKY makes of it is right but
+ * Ambient light and background are the same even sky, so what LOOK_SKY makes of it is right but
  * for the light that shapes reflect on each other.
  */
 #ifndef DISTRIBUTED_SHOWROOM_H
@@ -18,7 +18,7 @@
 #include "../../07_mesh/scenes/teapot.h"
 #include "../distributed.h"
 
-enum { EFFECT_SOFT = 1, EFFECT_GLOSSY = 2, EFFECT_SKY = 4, EFFECT_LENS = 8, EFFECT_ALL = 15 };
+enum { LOOK_SOFT = 1, LOOK_GLOSSY = 2, LOOK_SKY = 4, LOOK_LENS = 8, LOOK_ALL = 15 };
 typedef enum { SHOWROOM_ALL, SHOWROOM_SOFT, SHOWROOM_GLOSSY, showroom_shots } showroom_shot;
 enum { showroom_row = 9, showroom_shapes = 4 + showroom_row, showroom_parts = 3 };
 
@@ -116,7 +116,7 @@ static inline material showroom_material(const void *context, trace_hit x, const
     bool odd = ((int)floor((double)s->p.x / 1.5) + (int)floor((double)s->p.y / 1.5)) & 1;
     vec3 kd = vec(a[0], a[1], a[2]);
     if (x.part == 0 && i == 0 && odd) kd = vscale(kd, (real)0.35);
-    real shine = k->effects & EFFECT_GLOSSY ? (real)a[6] : real_infinity;
+    real shine = k->effects & LOOK_GLOSSY ? (real)a[6] : real_infinity;
     if (x.part == 1 && k->pot_shine != 0) shine = k->pot_shine;
     return (material){kd, vec(a[3], a[4], a[5]), shine, {0, 0, 0}};
 }
@@ -125,13 +125,13 @@ static inline void showroom_set(showroom_look *k, const showroom *g, int effects
 {
     vec3 sky = {0.27, 0.34, 0.46};
     k->g = g, k->effects = effects, k->pot_shine = 0;
-    k->w = (trace_world){g->part, effects & EFFECT_SOFT ? 3 : 2};  /* no size: not to be seen */
+    k->w = (trace_world){g->part, effects & LOOK_SOFT ? 3 : 2};  /* no size: not to be seen */
     for (int i = 0; i < 2; i++) k->light[i] = g->light[i];
-    for (int i = 0; i < 2 && !(effects & EFFECT_SOFT); i++)
+    for (int i = 0; i < 2 && !(effects & LOOK_SOFT); i++)
         k->light[i].a = k->light[i].b = (vec3){0, 0, 0}, k->light[i].r = 0;
     k->how = (distributed){.light = k->light, .n = 2, .material_of = showroom_material,
                            .context = k, .background = sky, .ambient = sky, .depth = 4,
-                           .reach = effects & EFFECT_SKY ? real_infinity : 0};
+                           .reach = effects & LOOK_SKY ? real_infinity : 0};
 }
 
 static inline distributed_view showroom_view(const showroom_look *k, showroom_shot shot,
@@ -143,7 +143,7 @@ static inline distributed_view showroom_view(const showroom_look *k, showroom_sh
     const double *l = look[shot];
     distributed_view v = {.w = &k->w, .how = &k->how, .kind = SEQUENCE_SOBOL, .seed = 1};
     v.c = camera_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]), vec(0, 0, 1), (real)l[6], aspect);
-    v.lens = (thin_lens){k->effects & EFFECT_LENS ? (real)0.22 : 0, (real)l[7]};
+    v.lens = (thin_lens){k->effects & LOOK_LENS ? (real)0.22 : 0, (real)l[7]};
     return v;
 }
 

@@ -1,7 +1,7 @@
 /* measure.h: the tables of this chapter.
  *
  *   measure_relations(o)    every relation: closed form, estimate, standard error, z
- *   measure_ways(o)         error and time of four estimators; --full: a plot
+ *   measure_estimators(o)   error and time of four estimators; --full: a plot
  */
 #ifndef RADIOMETRY_MEASURE_H
 #define RADIOMETRY_MEASURE_H
@@ -69,7 +69,7 @@ static inline void way_job(size_t i, void *context)
 
 static inline double run_way(void *context) { return way_estimate(context, 0, 1024); }
 
-static inline void measure_ways(const options *o)
+static inline void measure_estimators(const options *o)
 {
     radiometry_way w[ways_all];
     double us[ways_all];

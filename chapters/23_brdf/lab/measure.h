@@ -1,6 +1,6 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
- *   measure_methods(&o)  main table of a glossy surface, five ways to integrate; with --full of
+ *   measure_glossy(&o)   main table of a glossy surface, five ways to integrate; with --full of
  *                        three surfaces, six ways, and a plot
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
  *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
@@ -161,7 +161,7 @@ static inline table methods_table(const char *title, const brdf_row *row, const 
     return t;
 }
 
-static inline void measure_methods(const options *o)
+static inline void measure_glossy(const options *o)
 {
     brdf_row row[surfaces * methods];
     double ns[surfaces * methods];

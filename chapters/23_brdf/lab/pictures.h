@@ -38,7 +38,7 @@ static inline vec3 sky_and_ground(vec3 w)
 
 /* ---- spheres ---- */
 
-enum { sphere_columns = 7, sphere_rows = 4 };
+enum { ball_columns = 7, ball_rows = 4 };
 typedef struct {
     image *im;
     const options *o;
@@ -48,11 +48,11 @@ typedef struct {
 static inline void sphere_pixel(int x, int y, void *context)
 {
     const brdf_spheres *sheet = context;
-    int across = sheet->im->width / sphere_columns, down = sheet->im->height / sphere_rows;
-    int column = across ? x / across : sphere_columns, row = down ? y / down : sphere_rows;
+    int across = sheet->im->width / ball_columns, down = sheet->im->height / ball_rows;
+    int column = across ? x / across : ball_columns, row = down ? y / down : ball_rows;
     vec3 sum = {0.9, 0.9, 0.9}, f0 = {0.95, 0.85, 0.7};
-    if (column < sphere_columns && row < sphere_rows) {
-        brdf b = brdf_ggx(f0, (real)column / (sphere_columns - 1));
+    if (column < ball_columns && row < ball_rows) {
+        brdf b = brdf_ggx(f0, (real)column / (ball_columns - 1));
         uint32_t n = row == 3 ? sheet->well_spread : sheet->samples;
         sequence_kind kind = row == 3 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
         reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, false, 0};

@@ -1,6 +1,6 @@
 /* measure.h: the series, where its sum is known and where it is not.
  *
- *   measure_furnace(o)   partial sums by paths against (25.5), their variance against (25.12); plot
+ *   measure_series(o)    partial sums by paths against (25.5), their variance against (25.12); plot
  *   measure_cornell(o)   how much light each bounce brings to the picture
  *   measure_notes(o)     what shade() of the notes leaves out
  */
@@ -27,7 +27,7 @@ static inline estimate furnace_estimate(const options *o, const lit_scene *s, di
     return e;
 }
 
-static inline void measure_furnace(const options *o)
+static inline void measure_series(const options *o)
 {
     static const int depth[] = {0, 1, 3, 10, 30, 100};
     static const char *const name[] = {"rho = .5", "rho = .9", "rho = .99", "rho = 1"};

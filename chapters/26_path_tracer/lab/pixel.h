@@ -2,7 +2,7 @@
  * BRDF sends it, the dice, and what all of it brings. In words, lines with the number of their
  * equation, and as a drawing.
  *
- *   pixel_explain(&o, "cornell", "160,200")     the scene (cornell, spheres, metal), the pixel;
+ *   path_explain(&o, "cornell", "160,200")      the scene (cornell, spheres, metal), the pixel;
  *                                               the drawing goes to build/26_path_tracer_pixel.svg
  *
  * Each hit is asked twice: first path.h's own functions work on copies of the walk and of its
@@ -46,8 +46,8 @@ static inline void pixel_dice(const path_tracer *t, const path_walk *before, boo
 
 /* One hit in words: of the walk w, a copy, and a copy s of its random numbers; w->L is then what
  * was told of light. False: there is no hit. */
-cold_inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, int k,
-                             vertex_seen *v)
+cold_inline bool pixel_vertex(const path_tracer *t, path_walk *w, path_random s, int k,
+                              vertex_seen *v)
 {
     lit_hit x = {.m = NULL};
     path_counts c = {0};
@@ -95,7 +95,7 @@ cold_inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, in
     return true;
 }
 
-static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixel_path *path)
+static inline vec3 pixel_trace(const path_tracer *t, ray eye, path_random s, pixel_path *path)
 {
     path_walk w = path_begin(eye);
     path_counts c = {0};
@@ -103,7 +103,7 @@ static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixe
     for (int k = 0; on; k++) {
         vertex_seen v;
         path_walk told = w;
-        if (pixel_hit(t, &told, s, k, &v) && path->n < vertices_most) path->v[path->n++] = v;
+        if (pixel_vertex(t, &told, s, k, &v) && path->n < vertices_most) path->v[path->n++] = v;
         on = path_step(t, &w, &s, &c);
         if (!vzero(vsub(told.L, w.L)))
             die(1, "--pixel: what was told of x%d is not what path.h did", k);
@@ -111,8 +111,8 @@ static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixe
     return w.L;
 }
 
-static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
-                              const pixel_path *path)
+static inline void path_draw(const options *o, const showcase *c, bool blocks,
+                             const pixel_path *path)
 {
     char room[512];
     camera view = vertices_view();
@@ -127,7 +127,7 @@ static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
     figure_end(&g);
 }
 
-cold_inline void pixel_explain(const options *o, const char *name, const char *text)
+cold_inline void path_explain(const options *o, const char *name, const char *text)
 {
     int xy[2], w = o->width, h = o->height;
     shot x;
@@ -146,11 +146,11 @@ cold_inline void pixel_explain(const options *o, const char *name, const char *t
     printf("# The first path of pixel %d, %d of %d x %d, %s\n", xy[0], xy[1], w, h, name);
     explain_vector(0, "(2.5)", "o =", eye.o);
     explain_vector(0, "(2.5)", "d =", eye.d);
-    vec3 L = pixel_walk(&x.t, eye, s, &path), due = path_radiance(&x.t, eye, &again, &counts);
+    vec3 L = pixel_trace(&x.t, eye, s, &path), due = path_radiance(&x.t, eye, &again, &counts);
     if (!vzero(vsub(L, due))) die(1, "--pixel: this walk is not that of path.h");
     explain_vector(0, "(26.5)", "this path brings L =", L);
     printf("%zu rays; the pixel is the mean of many such paths\n", path_rays(&counts));
-    pixel_draw(o, &x.c, strcmp(name, "cornell") == 0, &path);
+    path_draw(o, &x.c, strcmp(name, "cornell") == 0, &path);
     shot_free(&x);
 }
 
