@@ -1,7 +1,7 @@
 #!/bin/sh
 # shellcheck disable=SC2016
-# Names in the tree: no two headers define the same guard, type or macro, nor a function that a concept or
-# common/ defines; and what a header's contract (its first comment) calls exists, with so many arguments.
+# Names in the tree: no two headers, laboratories included, define the same guard, type, macro, function or
+# enumerator; and what a header's contract (its first comment) calls exists, with so many arguments.
 . tests/check.sh
 
 headers() { find "$1/common" "$1/chapters" -name '*.h' | sort; }
@@ -17,15 +17,38 @@ count='function count(list,   i, c, depth, n) {
     }
     return -1 }'
 
-# defined DIR: "kind name arguments file" for each guard, type, macro and function of the headers below DIR
+# defined DIR: "kind name arguments file" for each guard, type, macro, function and enumerator (an enum's constant,
+# but for those within a function) of the headers below DIR
 defined() {
     headers "$1" | xargs awk "$count"'
         function said(kind, name, n) { print kind, name, n, FILENAME }
+        # enumerators TEXT: of an enum, from behind its brace; commas within parentheses or quotes part none
+        function enumerators(text,   i, c, depth, item) {
+            gsub(/\047[^\047]*\047|"[^"]*"/, "0", text); sub(/[}].*/, "", text); text = text ","
+            for (i = 1; i <= length(text); i++) {
+                c = substr(text, i, 1)
+                if (c == "(") depth++
+                if (c == ")") depth--
+                if (c != "," || depth) { item = item c; continue }
+                if (match(item, /^[ \t]*[A-Za-z_][A-Za-z_0-9]*[ \t]*(=|$)/)) {
+                    sub(/^[ \t]*/, "", item); sub(/[ \t=].*/, "", item); said("enumerator", item, 0) }
+                item = "" } }
         # EIGHT(name) is a name in each dialect, EIGHT_FILE what is compiled in them (15)
         /^#define EIGHT_FILE/ { next }
         !/^#/ { while (match($0, /EIGHT\([a-z_0-9]+\)/))
             $0 = substr($0, 1, RSTART - 1) substr($0, RSTART + 6, RLENGTH - 7) substr($0, RSTART + RLENGTH) }
-        FNR == 1 { open = "" ; inside = 0 }
+        FNR == 1 { open = listed = ""; within = remark = 0 }
+        {   # without comments; enums of a function, whose brace stands alone or behind its arguments, are its own
+            code = $0
+            if (remark) { if (index(code, "*/")) { sub(/^.*\*\//, "", code); remark = 0 } else code = "" }
+            gsub(/\/\*([^*]|\*[^\/])*\*\//, "", code)
+            if (index(code, "/*")) { sub(/\/\*.*/, "", code); remark = 1 }
+            if (code ~ /^[{]/) within = 1
+            if (code ~ /^[}]/) within = 0
+            if (listed != "") listed = listed " " code
+            else if (!within && match(code, /(^|[ \t])enum( [a-z_0-9]+)? *[{]/) && substr(code, 1, RSTART) !~ /[)]/)
+                listed = substr(code, RSTART + RLENGTH) " "
+            if (listed ~ /[}]/) { enumerators(listed); listed = "" } }
         open != "" { open = open $0; if ((n = count(open)) >= 0) { said("function", name, n); open = "" } next }
         /^STRUCTURE_VERBS(_OF)?\(/ { name = $0; gsub(/.*\(|[,)].*/, "", name)  # makes these four
             said("function", name "_hit", 3); said("function", name "_hit_counted", 4)
@@ -50,14 +73,13 @@ defined() {
             if (n >= 0) said("function", name, rest ~ /\.\.\./ ? -1 : n); else open = rest }'
 }
 
-# clashes: from "kind name n file": what two headers define
+# clashes: from "kind name n file": what two headers define, be it a type in one, a function in the other
 clashes() {
     sort -u | awk '
-        { k = $1 == "guard" || $1 == "function" ? $1 : "type"; key = k " " $2
+        { key = $1 == "guard" ? $1 " " $2 : $2
           if (seen[key, $4]++) next
-          files[key] = files[key] " " $4; n[key]++
-          if ($4 !~ /\/lab\//) concept[key] = 1 }
-        END { for (key in n) if (n[key] > 1 && (key !~ /^function/ || concept[key])) print key ":" files[key] }' | sort
+          files[key] = files[key] " " $4; n[key]++ }
+        END { for (key in n) if (n[key] > 1) print key ":" files[key] }' | sort
 }
 
 # promises DIR DEFINED: calls in contracts of what does not exist, or takes another number of arguments
@@ -87,23 +109,35 @@ if [ -s "$scratch/clashes" ]; then no "defined by two headers: $(cat "$scratch/c
 promises . "$scratch/defined" >"$scratch/promises"
 if [ -s "$scratch/promises" ]; then no "contracts: $(cat "$scratch/promises")"; else ok; fi
 
-# Both rules see what they are there to see.
+# Both rules see what they are there to see, and no more: guard, type, function, draw, a_few and a_most clash.
 mkdir -p "$scratch/tree/common" "$scratch/tree/chapters/01_a/lab" "$scratch/tree/chapters/02_b/lab"
 cat >"$scratch/tree/chapters/01_a/a.h" <<'END'
 /* a.h: a thing.
  *   thing_make(1, 2)   thing_free(&t)   thing_two(a, b), thing_any(..) */
 #ifndef A_H
 typedef struct { int x; } thing;
+enum { a_few = 3, a_most = MOST(a_few, own) };  /* not enum { in_a_comment, */
 static inline thing thing_make(int x,
                                int y) { return (thing){x + y}; }
 static inline void thing_free(thing *t, int n) { t->x = n; }
-static inline void helper(void) { }
+static inline void helper(void) { enum { own = 1 }; }
 #endif
 END
-printf '#ifndef A_H\ntypedef enum { X } thing;\nstatic inline int helper(void) { return 0; }\n' \
-    >"$scratch/tree/chapters/02_b/lab/b.h"
+printf 'static inline void draw(void)\n{\n    enum { own = 1 };\n}\n' >"$scratch/tree/chapters/01_a/lab/l.h"
+cat >"$scratch/tree/chapters/02_b/lab/b.h" <<'END'
+#ifndef A_H
+typedef enum { X } thing;
+typedef enum {
+    B_COMMA = ',', a_few,  /* enum { in_a_comment, */
+    a_most
+} b_kind;
+typedef struct { enum { B_SMALL, MOST = (B_COMMA, X) } size; b_kind x, y; } b_pair;
+static inline int helper(void) { return 0; }
+static inline void draw(int own) { (void)own; }
+END
 seen=$(defined "$scratch/tree" | tee "$scratch/planted" | clashes | wc -l)
-if [ "$seen" -eq 3 ]; then ok; else no "3 clashes were planted, $seen seen"; fi
+if [ "$seen" -eq 6 ]; then ok; else no "6 clashes were planted, $seen seen"; fi
+if [ "$(grep -c '^enumerator' "$scratch/planted")" -eq 8 ]; then ok; else no "8 enumerators were planted"; fi
 seen=$(promises "$scratch/tree" "$scratch/planted" | wc -l)
 if [ "$seen" -eq 3 ]; then ok; else no "3 false promises were planted, $seen seen"; fi
 
