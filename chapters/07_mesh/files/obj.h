@@ -305,7 +305,7 @@ static inline bool obj_beside(const char *path, const char *name, size_t n)
 }
 
 /* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */
-static inline int obj_libraries(const mesh *m, const char *path, bool say)
+static inline int obj_libraries_beside(const mesh *m, const char *path, bool say)
 {
     int missing = 0;
     for (const char *p = m->libraries; p && *p; p += strcspn(p, "\n") + 1) {
@@ -326,7 +326,7 @@ static inline int obj_libraries(const mesh *m, const char *path, bool say)
 
 static inline int obj_libraries_missing(const mesh *m, const char *path)
 {
-    return obj_libraries(m, path, true);
+    return obj_libraries_beside(m, path, true);
 }
 
 static inline bool obj_read(const char *path, mesh *out, failure *f)
@@ -336,7 +336,7 @@ static inline bool obj_read(const char *path, mesh *out, failure *f)
     if (!in) return false;
     bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
     fclose(in);
-    if (ok) (void)obj_libraries(out, path, false);  /* no output replaces them */
+    if (ok) (void)obj_libraries_beside(out, path, false);  /* no output replaces them */
     return ok;
 }
 
