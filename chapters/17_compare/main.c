@@ -1,8 +1,8 @@
 /* 17_compare: every structure on the same scenes and the same rays: first the same hits, then time.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters/17_compare/main.c -lm -lpthread
  *
- * Without options: three pictures, four small scenes in one table. --full: all scenes, four kinds of
- * rays, a table each; growth with n; a chart, plots. --scene, --mesh: these scenes. --sweep: one
+ * Without options: three pictures, four small scenes in one table. --full: all scenes, four kinds
+ * of rays, a table each; growth with n; a chart, plots. --scene, --mesh: these scenes. --sweep: one
  * option from end to end. --verify: all rays by brute force, too. --report: in one HTML file.
  * --rays: those of a file. --protocol spd: the published counts. */
 #include "lab/run.h"
