@@ -16,16 +16,15 @@ static const sequence_kind picture_method[picture_methods] = {SEQUENCE_RANDOM, S
                                                               SEQUENCE_SOBOL};
 
 typedef struct { distributed_view v; image im; } distributed_run;
-typedef struct { double error[picture_methods][measure_levels], seconds[picture_methods]; }
-    distributed_study;
+typedef struct {
+    double error[measure_levels], seconds;
+    estimate slope;           /* of the repetitions' slopes */
+} distributed_study;
 
-/* As a screen shows it: white is white. Else a few reflections of lamps would be all the error.
- * Ctrl-C: half a picture must not be measured. */
+/* Ctrl-C: half a picture must not be measured. */
 static inline void picture_draw(distributed_view *v, image *im, int threads)
 {
     if (!distributed_draw(v, im, threads)) die(parallel_stopped(), "stopped");
-    for (size_t i = 0; i < 3 * (size_t)im->width * (size_t)im->height; i++)
-        im->rgb[i] = im->rgb[i] < 1 ? im->rgb[i] : 1;
 }
 
 static inline double picture_seconds(void *context)
@@ -35,38 +34,46 @@ static inline double picture_seconds(void *context)
     return (double)r->im.rgb[0];
 }
 
-/* The reference has another seed, 8 times as many samples as the best picture, and so an error of
- * 1/4.8 of its, if that falls as N^-3/4: what it adds to the measured one is 2 %. The time is that
- * of 16 samples a pixel: it is proportional to their number. */
-static inline distributed_study picture_measure(const options *o, distributed_view v, int levels)
-{
-    int w = o->quick ? 12 : 20, h = w * 3 / 4;
-    image im = image_new(w, h), reference = image_new(w, h);
-    distributed_study p = {.seconds = {0}};
-    distributed_run run[picture_methods];
-    v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
-    picture_draw(&v, &reference, o->threads), v.seed = o->seed;
-    for (int m = 0; m < picture_methods; m++) {
-        v.kind = picture_method[m];
-        for (int l = 0; l < levels; l++) {
-            v.samples = (uint32_t)1 << 2 * l;
-            picture_draw(&v, &im, o->threads);
-            p.error[m][l] = image_compare(&im, &reference).rmse;
-        }
-        run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
-    }
-    bench_each(picture_seconds, run, sizeof *run, picture_methods, o->full ? 3 : 1, 1.0 / 16,
-               p.seconds);
-    image_free(&im), image_free(&reference);
-    return p;
-}
-
 /* From 4 samples on: one alone is taken in the middle of its pixel. */
-static inline line_fit picture_slope(const double *error, int levels)
+static inline double picture_slope(const double *square, int levels)
 {
     double x[measure_levels] = {0}, y[measure_levels] = {0};
-    for (int l = 1; l < levels; l++) x[l] = 2 * l * log(2.0), y[l] = log(error[l]);
-    return fit_line(x + 1, y + 1, (size_t)levels - 1);
+    for (int l = 1; l < levels; l++) x[l] = 2 * l * log(2.0), y[l] = log(square[l]) / 2;
+    return fit_line(x + 1, y + 1, (size_t)levels - 1).slope;
+}
+
+/* How sure a slope is, pictures of other seeds tell; three points of one line do not. Nothing is
+ * cut at white: a mean that is cut is none, and the slope of random points would not be -1/2. The
+ * reference has 8 times as many samples as the best picture (--full: 32 times), another seed, and
+ * so at most a third of its error. The time is that of 16 samples a pixel: it is proportional to
+ * their number. */
+static inline void picture_measure(const options *o, distributed_view v, int levels,
+                                   distributed_study *p)
+{
+    int w = o->full ? 20 : 12, h = w * 3 / 4, repetitions = o->full ? 16 : o->quick ? 2 : 5;
+    image im = image_new(w, h), reference = image_new(w, h);
+    distributed_run run[picture_methods];
+    double seconds[picture_methods];
+    v.samples = o->full ? 2048 : o->quick ? 128 : 512, v.seed = o->seed;
+    picture_draw(&v, &reference, o->threads);
+    for (int m = 0; m < picture_methods; m++) {
+        double sum[measure_levels] = {0}, square[measure_levels];
+        v.kind = picture_method[m], p[m].slope = (estimate){0, 0, 0};
+        for (int k = 1; k <= repetitions; k++) {
+            v.seed = o->seed + 1000 * (uint64_t)k;
+            for (int l = 0; l < levels; l++) {
+                v.samples = (uint32_t)1 << 2 * l;
+                picture_draw(&v, &im, o->threads);
+                square[l] = pow(image_compare(&im, &reference).rmse, 2), sum[l] += square[l];
+            }
+            p[m].slope = estimate_add(p[m].slope, picture_slope(square, levels));
+        }
+        for (int l = 0; l < levels; l++) p[m].error[l] = sqrt(sum[l] / repetitions);
+        run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
+    }
+    bench_each(picture_seconds, run, sizeof *run, picture_methods, 3, 1.0 / 16, seconds);
+    for (int m = 0; m < picture_methods; m++) p[m].seconds = seconds[m];
+    image_free(&im), image_free(&reference);
 }
 
 static inline void table_of_pictures(const options *o)
@@ -76,18 +83,21 @@ static inline void table_of_pictures(const options *o)
     showroom *g = showroom_new(o->quick ? 4 : 8);
     pool *balls = pool_new(1);
     showroom_look k[2];
-    showroom_set(&k[0], g, LOOK_SOFT), showroom_set(&k[1], g, LOOK_ALL);
+    showroom_set(&k[0], g, EFFECT_SOFT), showroom_set(&k[1], g, EFFECT_ALL);
     distributed_view views[3] = {showroom_view(&k[0], SHOWROOM_SOFT, (real)4 / 3),
                                  pool_view(balls, (real)4 / 3),
                                  showroom_view(&k[1], SHOWROOM_ALL, (real)4 / 3)};
-    table t = table_new("Error of three pictures against converged ones; "
-                        "time of 64 samples a pixel",
+    table t = table_new(o->full ? "Error of three pictures, each with 16 seeds; time of 64 samples "
+                                  "a pixel"
+                                : "Error of three small pictures, each with a few seeds; time of "
+                                  "64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|+-|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int e = 0; e < 3; e++) {
-        distributed_study p = picture_measure(o, views[e], levels);
+        distributed_study p[picture_methods];
+        picture_measure(o, views[e], levels, p);
         for (int m = 0; m < picture_methods; m++) {
             const char *method = sequence_name[picture_method[m]];
             char both[64];
@@ -96,13 +106,11 @@ static inline void table_of_pictures(const options *o)
             table_text(&t, "%s", names[e]), table_text(&t, "%s", method);
             for (int l = 0; l < measure_levels; l++)
                 if (l < levels) {
-                    table_number(&t, p.error[m][l]);
-                    plot_add(&time, series, (1 << 2 * l) * 1e3 * p.seconds[m], p.error[m][l]);
+                    table_number(&t, p[m].error[l]);
+                    plot_add(&time, series, (1 << 2 * l) * 1e3 * p[m].seconds, p[m].error[l]);
                 } else table_text(&t, "-");
-            line_fit slope = picture_slope(p.error[m], levels);
-            table_number(&t, slope.slope);
-            table_text(&t, slope.n > 2 ? "%.2f" : "-", slope.slope_error);
-            table_number(&t, 64e3 * p.seconds[m]);
+            table_number(&t, p[m].slope.mean), table_number(&t, estimate_error(p[m].slope));
+            table_number(&t, 64e3 * p[m].seconds);
         }
     }
     plot_slope(&time, -0.5, "slope -1/2"), plot_slope(&time, -0.75, "slope -3/4");
