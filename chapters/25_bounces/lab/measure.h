@@ -3,6 +3,8 @@
  *   measure_series(o)    partial sums by paths against (25.5), their variance against (25.12); plot
  *   measure_cornell(o)   how much light each bounce brings to the picture
  *   measure_notes(o)     what shade() of the notes leaves out
+ *
+ * E is known: the part of the picture that the lamp fills. The other terms ask the lamp (25.10).
  */
 #ifndef BOUNCES_MEASURE_H
 #define BOUNCES_MEASURE_H
@@ -85,6 +87,17 @@ static inline void cornell_job(size_t job, void *context)
     }
 }
 
+/* E: all of the lamp shows, as four corners whose diagonals tell the area. */
+static inline double cornell_emitted(void)
+{
+    vec3 o = cornell_corner, s = cornell_side_s, t = cornell_side_t, far = vadd(vadd(o, s), t);
+    const vec3 corner[4] = {o, vadd(o, s), far, vadd(o, t)};
+    real x[4], y[4];
+    for (int i = 0; i < 4; i++) camera_project(cornell_camera(1), corner[i], 1, 1, &x[i], &y[i]);
+    real twice = (x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]);
+    return (double)(fabs(twice) / 2 * cornell_radiance.y);
+}
+
 static inline void measure_cornell(const options *o)
 {
     cornell_survey *c = allocate(1, sizeof *c);
@@ -97,6 +110,7 @@ static inline void measure_cornell(const options *o)
     parallel_whole(cornell_jobs, o->threads, "terms", cornell_job, c);
     for (int k = 0; k < cornell_terms; k++) {
         for (int i = 1; i < cornell_jobs; i++) e[k] = estimate_merge(e[k], c->e[i][k]);
+        if (k == 0) e[k] = (estimate){e[k].n, cornell_emitted(), 0};
         whole += e[k].mean;
     }
     for (int k = 0; k < cornell_terms; before = e[k++].mean) {
@@ -109,30 +123,50 @@ static inline void measure_cornell(const options *o)
     lit_free(&c->s), free(c);
 }
 
-/* The same random numbers for both, so that their difference is known better than they are. What
- * the eye sees of the lamp: a path of no bounce. */
+/* K E + K^2 E + .. of the eye's ray: sum[0] what notes_shade counts, on average; sum[1] what it
+ * does not, light that a lamp reflects after the first hit. */
+static inline void notes_terms(const naive_path *p, ray r, sampler *s, double *sum,
+                               bounce_counts *c)
+{
+    lit_hit x;
+    bool met, lost = false;
+    vec3 through = {1, 1, 1}, weight, wo = vneg(vunit(r.d));
+    lit_lights lamps;
+    direct d = {p->scene, DIRECT_AREA, &lamps, &c->direct, false};
+    lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
+    (void)naive_find(p, r, 0, &x, &met, &c->walk);
+    for (int k = 1; met && k <= p->depth; k++, wo = vneg(r.d)) {
+        sum[lost] += (double)vmul(through, bounce_direct(&d, &x, wo, s)).y;
+        if (!naive_direction(p, &x, wo, sampler_pair(s), &r, &weight)) return;
+        through = naive_through(through, weight);
+        if (!vzero(naive_find(p, r, k, &x, &met, &c->walk))) lost = true;
+    }
+}
+
 static inline void measure_notes(const options *o)
 {
+    static const char *const name[] = {"whole", "as printed", "with what the eye sees",
+                                       "still missing"};
     table t = table_new("shade() as the notes print it: mean radiance of the Cornell box",
-                        "whole|as printed|with what the eye sees|still missing|-+");
+                        "what is counted|radiance|-+");
     estimate e[4] = {{0, 0, 0}};
+    double seen = cornell_emitted();
     lit_scene s;
     lit_cornell(&s);
-    naive_path p = {&s, DIRECTIONS_BRDF, 20, false}, seen = {&s, DIRECTIONS_BRDF, 0, false};
-    naive_counts c = {{0}, 0, 0};
-    for (uint32_t i = 0; i < (o->quick ? 1000u : 100000u); i++) {
+    naive_path p = {&s, DIRECTIONS_BRDF, 20, false};
+    bounce_counts c = {.direct = {0, 0, 0}};
+    for (uint32_t i = 0; i < (o->quick ? 1000u : 200000u); i++) {
         sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
         point2 u = sampler_pair(&a);
-        sampler b = a, d = a;
-        ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
-        double whole = (double)naive_radiance(&p, eye, &a, &c).y;
-        double printed = (double)notes_shade(&p, eye, &b, &c).y;
-        double own = (double)naive_radiance(&seen, eye, &d, &c).y;
-        double x[4] = {whole, printed, printed + own, whole - printed - own};
+        double sum[2] = {0, 0};
+        notes_terms(&p, camera_ray(cornell_camera(1), u.u, u.v, 1, 1), &a, sum, &c);
+        double x[4] = {seen + sum[0] + sum[1], sum[0], seen + sum[0], sum[1]};
         for (int k = 0; k < 4; k++) e[k] = estimate_add(e[k], x[k]);
     }
-    for (int k = 0; k < 4; k++) table_number(&t, e[k].mean);
-    table_number(&t, estimate_error(e[3]));
+    for (int k = 0; k < 4; k++) {
+        table_text(&t, "%s", name[k]), table_number(&t, e[k].mean);
+        table_number(&t, estimate_error(e[k]));
+    }
     output_extra_table(o, &t);
     lit_free(&s);
 }
