@@ -494,8 +494,10 @@ static void test_plates(void)
     expect_of(check_count(3200), "six plates of glass", text, (double[3]){1, 1, 1}, 300, 0);
     set_up(&q, text);
     check(!q.e.chance, "no integrals in it");
-    for (int i = 0; i < 300; i++)
-        cut += (double)seen_along(&q, camera_ray(q.e.eye, i % 20, i / (real)20, 20, 15)).x / 300;
+    for (int i = 0; i < 300; i++) {
+        ray r = camera_ray(q.e.eye, (real)(i % 20), (real)i / 20, 20, 15);
+        cut += (double)seen_along(&q, r).x / 300;
+    }
     check_at_most(cut, 0.99, "what is left of them where branches are cut");
     tear_down(&q);
 }

@@ -83,7 +83,7 @@ static inline void table_of_pictures(const options *o)
     showroom *g = showroom_new(o->quick ? 4 : 8);
     pool *balls = pool_new(1);
     showroom_look k[2];
-    showroom_set(&k[0], g, EFFECT_SOFT), showroom_set(&k[1], g, EFFECT_ALL);
+    showroom_set(&k[0], g, LOOK_SOFT), showroom_set(&k[1], g, LOOK_ALL);
     distributed_view views[3] = {showroom_view(&k[0], SHOWROOM_SOFT, (real)4 / 3),
                                  pool_view(balls, (real)4 / 3),
                                  showroom_view(&k[1], SHOWROOM_ALL, (real)4 / 3)};

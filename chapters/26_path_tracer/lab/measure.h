@@ -104,7 +104,7 @@ static inline size_t measure_first_rays(const measure_place *m, const first_scen
                 first_point x = first_point_at(s, r, h);
                 n += lit_first_asks(s, x, random.own);
                 random.own.dimension += 2;
-                if (random_next(&random.own) >= first_go_on) break;
+                if ((double)random_next(&random.own) >= first_go_on) break;
                 r = first_bounce(s, x, &random.own);
             }
         }

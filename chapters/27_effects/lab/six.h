@@ -89,10 +89,15 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     table_text(t, "%s", list[k].name);
     table_text(t, "%s", integrator_of(p.effects));
     table_text(t, "%s", called);
-    for (const drawing *d = &j; d; d = d == &j ? &all : NULL) {
-        table_number(t, (double)draw_rays(&d->counts) / draw_pixels(d));
-        table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
+    double rays[2];
+    for (int i = 0; i < 2; i++) {
+        const drawing *d = i ? &all : &j;
+        rays[i] = (double)draw_rays(&d->counts) / draw_pixels(d);
+        table_number(t, rays[i]), table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
     }
+    snprintf(called, sizeof called, "%s: %.3g of %.3g rays", integrator_of(p.effects), rays[0],
+             rays[1]);
+    if (w >= six_width) label_tag(im, 4, h - 19, 9, called);
     image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return whole;
 }
