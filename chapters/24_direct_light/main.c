@@ -11,7 +11,7 @@ int main(int argc, char **argv)
 {
     options o = options_read(argc, argv, "24_direct_light",
                              "Direct light by directions, by lights and by both.",
-                             (options){.width = 640, .height = 640, .samples = 16, .seed = 1,
+                             (options){.width = 640, .height = 640, .samples = 8, .seed = 1,
                                        .quick_samples = 1},
                              NULL);
     draw_box(&o);
