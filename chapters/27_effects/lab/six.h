@@ -95,8 +95,8 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
         rays[i] = (double)draw_rays(&d->counts) / draw_pixels(d);
         table_number(t, rays[i]), table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
     }
-    snprintf(called, sizeof called, "%s: %.3g of %.3g rays", integrator_of(p.effects), rays[0],
-             rays[1]);
+    snprintf(called, sizeof called, "%.2g of %.2g rays: %s", rays[0] / j.samples,
+             rays[1] / j.samples, integrator_of(p.effects));
     if (w >= six_width) label_tag(im, 4, h - 19, 9, called);
     image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return whole;
