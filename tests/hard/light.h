@@ -486,6 +486,48 @@ static inline bool room_is_whole(double kd, double y, int mirror)
     return same;
 }
 
+/* k plates of clear glass, x thick, in an even sky of 1: they are not to be seen. Weak branches cut
+ * at 1/512, as 19 does, beside the dice of 27. */
+static inline hard_count plates(int k, real x)
+{
+    enum { room = 900 };
+    hard_count c = {20, 0, 0};
+    for (uint64_t i = 0; i < c.tried; i++) {
+        random_stream g = random_start(hard_seed, i, (uint64_t)k);
+        char text[room];
+        failure f;
+        studio s;
+        effects_stage e;
+        int n = snprintf(text, room, "camera from 0 0 9 at 0 0 0\nbackground 1\nindirect off\n"
+                         "material glass\nKd 0\nNi %.3f\nillum 7\n",
+                         1.3 + 0.4 * (double)random_next(&g));
+        for (int j = 0; j < k; j++)
+            n += snprintf(text + n, (size_t)(room - n), "box -99 -99 %g  99 99 %g\n", -j / 2.0,
+                          (double)x - j / 2.0);
+        if (!studio_read_text(text, "plates", NULL, &s, &f)) fail(f);
+        if (!effects_stage_build(&s, &e, &f)) fail(f);
+        ray r = ray_from((vec3){0, 0, 3}, vunit((vec3){random_next(&g) / 2, 0, -1}));
+        for (int j = 0; j < 2; j++) {
+            estimate seen = {0, 0, 0};
+            plan p = plan_of(&s);
+            effects_stage_effects(&e, p.effects);
+            if (j == 0) effects_stage_cut(&e, (real)1 / 512);
+            for (uint32_t t = 0; t < 400; t++) {
+                dice_pixel of;
+                effects_counts count = {.lost = 0};
+                dice_pixel_of(hard_seed, i, &of);
+                dice d = dice_sample(&of, t);
+                vec3 L = effects_made_for(e.mask)(&e, r, (media_set){0}, &d, &count);
+                seen = estimate_add(seen, (double)L.y);
+            }
+            *(j ? &c.now : &c.first) += hard_off(seen, 1);
+            plan_free(&p);
+        }
+        effects_stage_free(&e), studio_free(&s);
+    }
+    return c;
+}
+
 /* Two walls, with k = 1 a mirror one of them, and a point light. The plan's picture against that of
  * everything, which knows no plan: byte for byte; for first.h, a hundredth of the light. */
 static inline hard_count rooms(int k, real x)
@@ -568,6 +610,8 @@ static const hard_case hard_light[] = {
     {"25", "ten bounces", "furnaces of up to .99", "series", ten_bounces, 0, (real)0.99, PROMISED},
     {"25", "even directions", "500 paths, albedo .99", "series", furnaces, 0, (real)0.99, PROMISED},
     {"26", "clamp", "rare light, cut at 2", "formula", clamped, 0, 100, PROMISED},
+    {"27", "plates of glass", "light to and fro, cut at 1/512", "sky of 1", plates, 6, (real)0.2,
+     PROMISED},
     {"27", "walls, a point light", "light between walls, forgotten", "everything", rooms, 0,
      (real)0.5, PROMISED},
     {"27", "and a mirror", "one of the walls is one", "everything", rooms, 1, (real)0.5, PROMISED},
