@@ -492,6 +492,25 @@ static void test_panels_stop(void)
     image_free(&all);
 }
 
+/* One triangle, many times: its outer cells hold all of them, and cutting parts none from another. */
+static void test_copies(void)
+{
+    enum { copies = 2500 };
+    mesh m = mesh_room(copies);
+    nested x;
+    hit h = hit_none;
+    for (size_t i = 0; i < copies; i++)
+        set_triangle(&m, i, vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0));
+    items all = items_of_mesh(&m);
+    check(nested_build(&all, nested_defaults, &x, NULL), "built of copies");
+    double outer = 0.7 * (double)nested_stats(&x).inner * copies;  /* half, and the slant */
+    check_at_most((double)nested_stats(&x).references, structure_room(copies) + outer,
+                  "cells that the copies are named in");
+    check(nested_hit(&x, ray_from(vec(0.2, 0.3, 1), vec(0, 0, -1)), &h) && h.shape == 0,
+          "the first is hit");
+    nested_free(&x), mesh_free(&m);
+}
+
 int main(void)
 {
     structure s = {"grid", STRUCTURE_OF(grid)};
@@ -521,6 +540,7 @@ int main(void)
     test_far_rays_are_right();
     test_mailbox_and_marking();
     structure_piled(grid, grid_defaults, 10000, structure_room(10000) + 0x1p24);
+    test_copies();
     test_panels_stop();
     return check_report("10_grid");
 }

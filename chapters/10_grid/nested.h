@@ -9,7 +9,8 @@
  *
  * Cells of the outer grid: outer n; of a cell with k items: inner k, at most 255 on an axis; both
  * by (10.3). Items that span more than half of the outer cell cannot be cut apart: for them alone
- * it is cut into 27 at most. All inner cells of all outer ones share the two arrays of marking.h.
+ * it is cut into 27 at most, and no longer once they have named structure_room cells (a pile of
+ * triangles in one place). All inner cells of all outer ones share the two arrays of marking.h.
  *
  * The inner walk takes over at the t at which the outer cell begins, and ends where it ends. Every
  * t belongs to some outer cell whose turn it is, and in it to an inner one, or to the space beside
@@ -43,6 +44,7 @@ typedef struct {
     uint32_t *part_of;    /* [outer cells] number of its part; 0: empty */
     nested_part *part;    /* [parts], from 1 on */
     size_t parts, peak;
+    double named;         /* cells by items that cannot be cut apart, at most */
 } nested;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -91,6 +93,9 @@ static inline bool nested_cut(nested *x, size_t c, const uint32_t *item, size_t 
     double want = inner * (double)k, apart = inner * (double)small;
     if (want > 27) want = apart > 27 ? apart : 27;
     grid_resolution(p->box, want, x->g.margin, n);
+    double names = (double)(k - small) * n[0] * n[1] * n[2];
+    if (x->named + names > structure_room(x->g.entered)) n[0] = n[1] = n[2] = 1;
+    else x->named += names;
     p->base = (uint32_t)*cells;
     for (int a = 0; a < 3; a++) p->n[a] = (uint8_t)(n[a] < 255 ? n[a] : 255);
     x->part_of[c] = (uint32_t)x->parts;
