@@ -166,17 +166,24 @@ static inline bool image_write(const char *path, const image *im, failure *f)
     return file_commit(&w, f);
 }
 
-/* A program whose one option is a picture's name: argv[1], else images/NAME.png (float: build/).
- * picture_end writes it, says where it is and frees it; both end the program on failure. */
-static inline const char *picture_path(int argc, char **argv, const char *name)
+/* A program whose last word is a picture's name; else it is images/NAME.png, or in build/ after
+ * `own` words that make it another picture, and in float. picture_end writes it, says where it is
+ * and frees it; both end the program on failure. */
+static inline const char *picture_path_after(int own, int argc, char **argv, const char *name)
 {
     static char path[200];
+    const char *folder = real_is_float || own ? "build" : "images";
     failure f = {2, "it takes one word at most: the name of the picture"};
-    program_name = name;
+    program_name = name, argc -= own, argv += own;
     if (argc > 2 || (argc == 2 && !image_can_write(argv[1], &f))) fail(f);
-    mkdir(real_is_float ? "build" : "images", 0777);  /* if that fails, writing the file says why */
-    snprintf(path, sizeof path, "%s/%s.png", real_is_float ? "build" : "images", name);
+    mkdir(folder, 0777);  /* if that fails, writing the file says why */
+    snprintf(path, sizeof path, "%s/%s.png", folder, name);
     return argc == 2 ? argv[1] : path;
+}
+
+static inline const char *picture_path(int argc, char **argv, const char *name)
+{
+    return picture_path_after(0, argc, argv, name);
 }
 
 static inline int picture_end(const char *path, image *im)

@@ -248,6 +248,8 @@ static void test_program(void)
     }
     check_equal(run("26_path_tracer_first", "4 @b.png"), 0, "4 samples");
     check(printed("out", "b.png"), "it says where its picture is");
+    check_equal(run("26_path_tracer_first", "1"), 0, "1 sample");
+    check(printed("out", "-> build/26_path_tracer_first.png"), "not into images/");
     remove_directory();
 }
 

@@ -20,7 +20,7 @@ static void bounds(const first_mesh *m, vec3 *lo, vec3 *hi)
 int main(int argc, char **argv)
 {
     bool file = argc > 1 && ends_with(argv[1], ".obj");
-    const char *path = picture_path(argc - file, argv + file, "07_mesh_first");
+    const char *path = picture_path_after(file, argc, argv, "07_mesh_first");
     first_mesh m = file ? first_obj_read(argv[1]) : first_knot(36, 6);
     vec3 lo, hi;
     bounds(&m, &lo, &hi);

@@ -11,7 +11,7 @@ int main(int argc, char **argv)
     char *end = "";
     long N = argc > 1 ? strtol(argv[1], &end, 10) : 0;
     bool given = argc > 1 && isdigit((unsigned char)argv[1][0]) && *end == 0;
-    const char *path = picture_path(argc - given, argv + given, "26_path_tracer_first");
+    const char *path = picture_path_after(given, argc, argv, "26_path_tracer_first");
     failure f = {2, "samples a pixel: 1 to 65536"};
     if (!given) N = 16;
     if (N < 1 || N > most) fail(f);
