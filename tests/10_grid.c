@@ -492,7 +492,7 @@ static void test_panels_stop(void)
     image_free(&all);
 }
 
-/* One triangle, many times: its outer cells hold all of them, and cutting parts none from another. */
+/* One triangle, many times: its outer cells hold all of them, and cutting parts none of them. */
 static void test_copies(void)
 {
     enum { copies = 2500 };

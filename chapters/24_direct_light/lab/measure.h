@@ -34,7 +34,7 @@ static inline void measure_ways(const options *o)
                         "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
                         "time [us]");
     direct_survey s[2];
-    survey_open(&s[0], o, STAGE_FIRST, survey_points, o->full ? 2048 : 1024);
+    survey_open(&s[0], o, STAGE_FIRST, survey_points, 2048);
     survey_open(&s[1], o, STAGE_PLATES, survey_points, 1024);
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
     for (int k = 0; k < survey_ways; k++) {
