@@ -123,26 +123,6 @@ static inline void measure_cornell(const options *o)
     lit_free(&c->s), free(c);
 }
 
-/* K E + K^2 E + .. of the eye's ray: sum[0] what notes_shade counts, on average; sum[1] what it
- * does not, light that a lamp reflects after the first hit. */
-static inline void notes_terms(const naive_path *p, ray r, sampler *s, double *sum,
-                               bounce_counts *c)
-{
-    lit_hit x;
-    bool met, lost = false;
-    vec3 through = {1, 1, 1}, weight, wo = vneg(vunit(r.d));
-    lit_lights lamps;
-    direct d = {p->scene, DIRECT_AREA, &lamps, &c->direct, false};
-    lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
-    (void)naive_find(p, r, 0, &x, &met, &c->walk);
-    for (int k = 1; met && k <= p->depth; k++, wo = vneg(r.d)) {
-        sum[lost] += (double)vmul(through, bounce_direct(&d, &x, wo, s)).y;
-        if (!naive_direction(p, &x, wo, sampler_pair(s), &r, &weight)) return;
-        through = naive_through(through, weight);
-        if (!vzero(naive_find(p, r, k, &x, &met, &c->walk))) lost = true;
-    }
-}
-
 static inline void measure_notes(const options *o)
 {
     static const char *const name[] = {"whole", "as printed", "with what the eye sees",
