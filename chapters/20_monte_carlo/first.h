@@ -7,14 +7,14 @@
 
 typedef struct { real n, sum, squares; } first_samples;
 
-static inline void first_sample(first_samples *s, real x)
+static inline void first_sample(first_samples *s, real y)
 {
     s->n += 1;
-    s->sum += x;
-    s->squares += x * x;
+    s->sum += y;
+    s->squares += y * y;
 }
 
-/* The mean (x_1 + ... + x_N) / N, each x being f/p of a random X.                        (20.3) */
+/* The mean (y_1 + ... + y_N) / N, each y being f/p of a random X.                        (20.3) */
 static inline real first_mean(first_samples s) { return s.sum / s.n; }
 
 /* The variance (方差) of one sample; N - 1, since the mean is an estimate itself.        (20.5) */

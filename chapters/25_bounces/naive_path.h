@@ -1,6 +1,6 @@
 /* naive_path.h: one path (路径), one direction at each hit: the notes' shade() with N = 1.
  *
- *   eye ---> x0 ---> x1 ---> x2 ...    w_i = f cos / pdf of the direction drawn at x_i      (25.7)
+ *   eye ---> x0 ---> x1 ---> x2 ...    w_j = f cos / pdf of the direction drawn at x_j      (25.7)
  *        E     w0 E    w0 w1 E         throughput (路径吞吐量) of k bounces: w_0 w_1 ... w_(k-1)
  *
  *   naive_path p = {&scene, DIRECTIONS_BRDF, depth, false};

@@ -1,12 +1,12 @@
 /* estimate.h: from samples (样本) of a random variable (随机变量) to its expectation (期望), and how
  * far to trust the result.
  *
- *   E[X] ~ mean = (x_1 + ... + x_n) / n             (20.3)  an estimator (估计量)
- *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)      (20.5)  variance (方差)
+ *   E[X] ~ mean = (y_1 + ... + y_n) / n             (20.3)  an estimator (估计量)
+ *   V[X] ~ s^2  = sum (y_k - mean)^2 / (n - 1)      (20.5)  variance (方差)
  *   error of the mean ~ s / sqrt n                  (20.6)  standard error (标准误差)
  *
  *   estimate e = {0};
- *   for each sample: e = estimate_add(e, x);      mean and variance after every sample, in one pass
+ *   for each sample: e = estimate_add(e, y);      mean and variance after every sample, in one pass
  *   e.mean, estimate_variance(e), estimate_error(e)
  *   e = estimate_merge(a, b);                     as if one had seen the samples of both
  *
@@ -28,19 +28,19 @@
 #include "../vec3.h"
 #include <stddef.h>
 
-typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of (x_i - mean)^2 */
+typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of (y_k - mean)^2 */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* mean' = mean + d/n, squares' = squares + d (x - mean'), d = x - mean                    (20.11)
- * d and x - mean' never have opposite signs: mean + d/n rounds to something between mean and x,
+/* mean' = mean + d/n, squares' = squares + d (y - mean'), d = y - mean                    (20.11)
+ * d and y - mean' never have opposite signs: mean + d/n rounds to something between mean and y,
  * both of which are numbers that double has. So squares never falls. */
-static inline estimate estimate_add(estimate e, double x)
+static inline estimate estimate_add(estimate e, double y)
 {
-    double d = x - e.mean;
+    double d = y - e.mean;
     e.n++;
     e.mean += d / (double)e.n;
-    e.squares += d * (x - e.mean);
+    e.squares += d * (y - e.mean);
     return e;
 }
 

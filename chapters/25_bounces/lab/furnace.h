@@ -10,7 +10,7 @@
  * Where it comes from: X_n is the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the
  * weight; the mean of w is rho, that of w^2 is 4/3 rho^2; all directions see the same. So
  *
- *   X_n = 1 + 1/N sum of w_i X_(n-1),i
+ *   X_n = 1 + 1/N (sum over the N directions of w X_(n-1))
  *   V_n = rho^2 / N (4/3 (V_(n-1) + S_(n-1)^2) - S_(n-1)^2),  V_0 = 0                      (25.12)
  *
  * So V_n stays finite only if 4/3 rho^2 < N. The mean converges for every rho < 1, the variance of
