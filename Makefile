@@ -32,6 +32,8 @@
 # LDLIBS, V=1 shows the commands, JOBS (compilers and tests at a time, all cores).
 # Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
+# What the compiler knows. The makes that this one calls inherit the answers.
+ifneq ($(ASKED),$(CC))
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
 # For some processors gcc 12 hands structs to functions by wide registers and leaves their upper halves full: then
 # each call of libm or libgcc, which are not compiled for AVX, waits (07's winding number: 700 ns a triangle instead of 17).
@@ -43,13 +45,21 @@ NATIVE += $(if $(NATIVE),$(shell $(CC) -Werror -mprefer-vector-width=256 -x c -c
 # Two passes that take an eighth of the compiler's time; without them programs run as fast (09: a twenty-fifth slower).
 LEAN := $(shell $(CC) -Werror -fno-gcse -fno-schedule-insns2 -x c -c -o /dev/null /dev/null 2>/dev/null && \
   echo -fno-gcse -fno-schedule-insns2)
-# First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
-# the same. What computes little beside what compiling it takes gets -O0: many tests, and most programs, of which
-# cli.sh asks every seventh much. (-march and unwind tables are 1 % of -O0's instructions.) CFLAGS, if given, goes before.
 # Below -O2 gcc leaves the upper halves of wide registers full everywhere, unless this is asked for (17_torture: 76 s
 # instead of 3).
 CLEAR := $(shell $(CC) -Werror -fexpensive-optimizations -x c -c -o /dev/null /dev/null 2>/dev/null && \
   echo -fexpensive-optimizations)
+CALM := $(shell echo 'int x;' | $(CC) -Werror -Wno-maybe-uninitialized -x c -c -o /dev/null - 2>/dev/null && \
+  echo -Wno-maybe-uninitialized)
+SMALL := $(shell $(CC) -Werror --param inline-unit-growth=0 --param large-unit-insns=0 -x c -c -o /dev/null /dev/null \
+  2>/dev/null && echo --param inline-unit-growth=0 --param large-unit-insns=0)
+export NATIVE LEAN CLEAR CALM SMALL
+export ASKED := $(CC)
+endif
+
+# First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
+# the same. What computes little beside what compiling it takes gets -O0: many tests, and most programs, of which
+# cli.sh asks every seventh much. (-march and unwind tables are 1 % of -O0's instructions.) CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
 LIGHT = 01_ray 01_wide 02_camera 02_filter 02_first 03_sphere 05_first 06_first 07_first 07_obj 07_teapot \
@@ -58,6 +68,7 @@ LIGHT = 01_ray 01_wide 02_camera 02_filter 02_first 03_sphere 05_first 06_first 
   21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
   25_bounces 25_first 25_transport 26_first 26_path_tracer 26_state 27_corpus 27_first 27_glass \
   27_plan 27_proof 27_radiance 27_readers 27_tree figure label output
+FIRST_CFLAGS = -O1
 FIRST_FAST = 05_implicit 15_wide_bvh  # -O2 halves their time
 SET_FLAGS_seeing = -Og $(CLEAR)
 SET_FLAGS_common = -O0 $(CLEAR)
@@ -65,6 +76,7 @@ LIGHT_MAINS = $(filter-out 06_csg 16_instances 20_monte_carlo,$(CHAPTERS))
 endif
 CFLAGS ?= -O2 $(LEAN) $(NATIVE)
 QUICK_CFLAGS ?= $(CFLAGS)
+FIRST_CFLAGS ?= $(QUICK_CFLAGS)
 LDLIBS ?= -lm -lpthread
 REAL ?= double
 # first.h and first.c say 0.5 where real may be float: there two warnings would be noise. Where it is
@@ -76,13 +88,9 @@ WARN = $(WARN_FIRST) $(if $(filter double,$(REAL)),-Wconversion -Wno-enum-float-
 EXACT = -ffp-contract=off -fno-tree-slp-vectorize
 # What only tests need is compiled in half the time if nothing is inlined by force; the code is the same. (What gcc
 # then takes for uninitialised, because it looks at fewer calls at once, it reads right with CFLAGS.)
-CALM := $(shell echo 'int x;' | $(CC) -Werror -Wno-maybe-uninitialized -x c -c -o /dev/null - 2>/dev/null && \
-  echo -Wno-maybe-uninitialized)
-SOON = -Dflatten= -Dalways_inline=unused $(CALM) $(SMALL)
 # Nor does gcc put a function into another where the file grows by it: a fifth less of its time, and the tests run as
 # long but for a thirtieth.
-SMALL := $(shell $(CC) -Werror --param inline-unit-growth=0 --param large-unit-insns=0 -x c -c -o /dev/null /dev/null \
-  2>/dev/null && echo --param inline-unit-growth=0 --param large-unit-insns=0)
+SOON = -Dflatten= -Dalways_inline=unused $(CALM) $(SMALL)
 # Under the sanitizers, tests that compute much for the few lines they compile, and the short book: -O1.
 MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 12_kdtree 13_bsp 13_first 14_bvh 14_first \
   14_tree 16_first 20_monte_carlo structures first
@@ -128,7 +136,7 @@ $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
-	$(Q)$(CC) -std=c11 $(QUICK_CFLAGS) $(if $(filter $*,$(FIRST_FAST)),-O2) $(MUCH_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
+	$(Q)$(CC) -std=c11 $(FIRST_CFLAGS) $(if $(filter $*,$(FIRST_FAST)),-O2) $(MUCH_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")

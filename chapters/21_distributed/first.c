@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed_firs
 #include "../../common/image.h"
 #include "first.h"
 
-enum { width = 400, height = 250, n = 8, depth = 6 };
+enum { width = 400, height = 250, n = 6, depth = 6 };
 
 int main(int argc, char **argv)
 {
