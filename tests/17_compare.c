@@ -73,6 +73,7 @@ static void test_equality(void)
         if (!out) abort();
         compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
         compare_rays(&s, 144, 7);
+        check(s.share == 1, "%s has all rays: %g steps each", w.name, s.work);
         check(compare_prove(&s, SIZE_MAX, check_count(1000), 7, out),
               "%s: all structures agree", w.name);
         char *text = written(out);
@@ -200,6 +201,31 @@ static void test_memory(void)
     }
     check(fit[1] > 1 && fit[1] < fit[3], "%zu, %zu, %zu fit", fit[1], fit[2], fit[3]);
     world_free(&w);
+}
+
+/* Triangles that lie in one place: who meets one is asked about all. So there are few rays, the
+ * same for all; and as many as ever of a pile that is small. */
+static void test_pile(void)
+{
+    line_up trees = chosen_of("bvh,wide,kdtree");
+    for (size_t n = 1000; n <= 30000; n *= 30) {
+        comparison s;
+        world w;
+        failure f;
+        mesh m = mesh_room(n);
+        for (size_t i = 0; i < n; i++)
+            set_triangle(&m, i, vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0));
+        if (!mesh_world(&w, "pile", m, false, &f)) fail(f);
+        compare_begin(&s, &w, &trees, (size_t)1 << 30, 1);
+        compare_rays(&s, 500, 7);
+        check(compare_prove(&s, 500, 400, 7, stdout), "a pile of %zu: all agree", n);
+        size_t rays = s.rays[KIND_PRIMARY].n;
+        if (n == 1000) check(rays == 500 && s.by_brute > 400, "a small pile has all its rays");
+        else check(rays >= 64 && rays < 100 && s.by_brute >= 64 && s.proved < 400,
+                   "a pile of %zu: %zu rays, %zu proved, of them %zu by brute force", n, rays,
+                   s.proved, s.by_brute);
+        compare_end(&s), world_free(&w);
+    }
 }
 
 /* First versions. ----------------------------------------------------------------------------- */
@@ -1013,6 +1039,7 @@ int main(void)
     test_equality();
     test_solids();
     test_memory();
+    test_pile();
     test_first_contenders();
     test_wrong_is_counted();
     test_alone();

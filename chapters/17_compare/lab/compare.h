@@ -6,7 +6,7 @@
  *                                                     has passed; all together hold at most
  *                                                     most_bytes
  *   compare_rays(&s, n, seed)             the four kinds of rays, n of each if there
- *                                                     are so many: kinds.h
+ *                                                     are so many: kinds.h; or s.share of n
  *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
  *   compare_end(&s)                                   the world stays the caller's
  *
@@ -14,6 +14,11 @@
  * rays of every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few
  * more of them, half of which are aimed where shapes end; those are asked again, ending exactly at
  * their hits (proof.h). The first ray that differs is explained, and the answer is false.
+ *
+ * share: no structure parts triangles that lie in one place, and each ray asks them all, as many
+ * times as there are structures and turns. So a few aimed rays tell how many steps and tests a ray
+ * takes, the mean of all structures. Where these are more than compare_usual_work all have fewer
+ * rays, the same for all, to be timed and to be proved: share times as many, but compare_least.
  *
  * Times here are those that this thread had a processor for (work_seconds), so that other work of
  * the machine counts little. BENCH_ONCE (bench.h): built once.
@@ -34,6 +39,8 @@ typedef struct {
     bool out;
 } compare_choice;
 enum { compare_most = 48, compare_usual_rays = 20000 };
+/* Of the book's scenes needles have the most: 1200 steps and tests an aimed ray. */
+enum { compare_sample = 64, compare_least = 64, compare_usual_work = 3000 };
 typedef struct { compare_choice of[compare_most]; int n; } line_up;
 
 /* What is common to all that a run does. */
@@ -70,6 +77,7 @@ typedef struct {
     items x;
     compare_entry entry[compare_most];
     int entries;
+    double work, share;           /* of an aimed ray; (0, 1], of the rays that are wanted */
     ray_set rays[compare_kinds];
     size_t proved, by_brute;      /* rays */
 } comparison;
@@ -143,7 +151,7 @@ static inline void compare_progress(const char *where, const char *what, const c
 static inline void compare_begin(comparison *s, const world *w, const line_up *chosen,
                                  size_t most_bytes, int rounds)
 {
-    *s = (comparison){.w = w, .scene = world_scene(w)};
+    *s = (comparison){.w = w, .scene = world_scene(w), .share = 1};
     snprintf(s->name, sizeof s->name, "%.79s", w->name);
     s->x = w->n ? items_of_scene(&s->scene) : items_of_mesh(&w->mesh);
     for (; s->entries < chosen->n; s->entries++) {
@@ -201,9 +209,47 @@ static inline size_t compare_rays_on(comparison *s, ray_set *eye, uint64_t seed)
     return shadow < diffuse ? shadow : diffuse;
 }
 
+/* Brute force and first versions are not asked: they would take as many anywhere. */
+static inline void compare_weigh(comparison *s, uint64_t seed)
+{
+    search_work sum = {0, 0, 0, 0};
+    size_t asked = 0;
+    hit h;
+    ray_set some = rays_aimed(s->w, compare_sample, seed);
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        if (!entry_counts(e)) continue;
+        compare_progress(s->w->name, "weighing", e->choice->label);
+        for (size_t i = 0; i < some.n; i++, asked++)
+            e->c->counted(e->s, some.r[i], false, &h, &sum);
+    }
+    s->work = asked ? (double)(sum.nodes + sum.tests) / (double)asked : 0;
+    s->share = s->work > compare_usual_work ? compare_usual_work / s->work : 1;
+    compare_progress(s->w->name, NULL, NULL);
+    rays_free(&some);
+}
+
+/* Of n rays, how many this scene has: fewer where each is dear. */
+static inline size_t compare_affords(const comparison *s, size_t n)
+{
+    if (s->share >= 1 || n <= compare_least) return n;
+    size_t some = (size_t)(s->share * (double)n);
+    return some > compare_least ? some : compare_least;
+}
+
+/* If there are fewer rays: how many, and why. */
+static inline void compare_say_share(const comparison *s, html_report *to)
+{
+    if (s->share < 1)
+        html_note(to, "%s: a ray at its corners takes %.2g steps and tests, the mean of all "
+                  "structures: %.2g times as many rays as usual, the same for all", s->name,
+                  s->work, s->share);
+}
+
 /* The picture grows, up to four times each way, until enough of its rays hit. */
 static inline void compare_rays(comparison *s, size_t n, uint64_t seed)
 {
+    compare_weigh(s, seed);
+    n = compare_affords(s, n);
     int edge = (int)ceil(sqrt((double)n)), across = edge;
     for (;;) {
         ray_set eye = rays_view(s->w, across);
@@ -281,6 +327,7 @@ static inline bool prove_rays(comparison *s, const ray_set *rays, bool by_brute,
 static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, uint64_t seed,
                                  FILE *out)
 {
+    most = compare_affords(s, most), brute_rays = compare_affords(s, brute_rays);
     ray_set extra[2] = {rays_aimed(s->w, brute_rays / 2, seed),
                         rays_everywhere(s->w, brute_rays / 4, seed)};
     bool ok = true;

@@ -69,7 +69,8 @@ static inline void verify_world(const compare_settings *c, const world *w)
     double n = 1e8 / (double)(world_size(w) + 1);
     compare_begin(&s, w, &c->chosen, c->most_bytes, 1);
     compare_rays(&s, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
-    ray_set aimed = rays_aimed(w, 2000, c->o->seed);
+    compare_say_share(&s, c->to);
+    ray_set aimed = rays_aimed(w, compare_affords(&s, 2000), c->o->seed);
     bool ok = prove_rays(&s, &aimed, true, true, stdout);
     for (int k = 0; ok && k < compare_kinds; k++) {
         compare_progress(w->name, "by brute force, rays", kind_name[k]);

@@ -26,11 +26,12 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
                                    bool all, bool sweep)
 {
     bool quick = c->o->quick;
-    int turns = quick ? 1 : all ? 5 : 3;
     compare_begin(s, w, &c->chosen, c->most_bytes, (all || sweep) && !quick ? 3 : 1);
     compare_rays(s, quick ? 144 : compare_usual_rays, c->o->seed);
+    compare_say_share(s, c->to);
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
                                quick ? 200 : all ? 2400 : 400, c->o->seed, stdout), w->name);
+    int turns = quick ? 1 : all && s->share == 1 ? 5 : 3;
     if (all) cost_measure(s, turns);
     else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 4);
 }
