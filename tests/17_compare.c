@@ -773,7 +773,8 @@ static void test_misuse(void)
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
         {"--costs x", "--rays"}, {"--score x", "--torture"},
         {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
-        {"/nowhere/x.nff", "x.nff"}, {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
+        {"/nowhere/x.nff", "x.nff"}, {"@v.nff", "no view"}, {"@v.nff --at 0,0,0", "no view"},
+        {"@v.nff --from 1,1,1 --at 1,1,1", "equals the viewpoint"}, {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         test_dialogue(&(dialogue){2, wrong[i].arguments, {"err", wrong[i].says}}, 1);
     test_dialogue(&(dialogue){1, "--rays /nowhere/x.rays", {"err", "x.rays"}}, 1);
@@ -871,6 +872,8 @@ static void test_program(void)
         {0, "@a.nff @b.obj --up z --quick --only grid,bvh,example --report @r.html",
          {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
           "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
+        {0, "@v.nff --from 0,-5,1 --at 0,0,0 --quick --only bvh",
+         {"out", "v.nff: 1 shapes", "out", "\nbvh "}},
         {0, "@b.obj --quick --only first-mesh,bvh --report @r.html",
          {"r.html", "first-mesh: wrong at", "r.html", "</html>"}},
         {0, "--scene stadium --scale 4 --rays @s.rays --costs @s.csv --only bvh,grid",
@@ -977,6 +980,7 @@ static void put_scenes(void)
         "s 0 0 0 1  # a ball\nc 0 0 1 1  0 0 3 0.5\n"
         "p 4  -4 -4 -2  4 -4 -2  4 4 -2  -4 4 -2\n"
         "pp 3 0 0 5 0 0 1 1 0 5 0 0 1 0 1 5 0 0 1\n");
+    put("v.nff", "s 0 0 0 1\n");
     put("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 

@@ -440,7 +440,7 @@ static bool read_nff(const char *text, world *w, failure *f)
     char path[] = "/tmp/17_spd_XXXXXX";
     int file = mkstemp(path);
     if (file < 0 || write(file, text, strlen(text)) < 0 || close(file) != 0) abort();
-    bool ok = nff_world(path, w, f);
+    bool ok = nff_world(path, NULL, w, f);
     remove(path);
     return ok;
 }
@@ -487,7 +487,7 @@ static void test_nff(void)
     check(!read_nff("# a\nv\nfrom 1 2 3\nat 1 2 3\nup 0 1 0\nangle 60\n", &w, &f)
           && f.exit_code == 2 && strstr(f.text, ":2: v: target (1, 2, 3) equals the viewpoint"),
           "from and at are one place: %s", f.text);
-    check(!nff_world("/nonexistent/a.nff", &w, &f) && f.exit_code == 1, "no such file");
+    check(!nff_world("/nonexistent/a.nff", NULL, &w, &f) && f.exit_code == 1, "no such file");
 }
 
 int main(void)

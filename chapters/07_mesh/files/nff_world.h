@@ -1,10 +1,11 @@
 /* nff_world.h: an NFF file (nff.h) as a world: its view, lights, finishes and shapes. (27 makes of
  * the same file all that a picture takes: patches with normals, scenes of many files.)
  *
- *   if (!nff_world("balls.nff", &w, &f)) fail(f);     world_free(&w)
+ *   if (!nff_world("balls.nff", NULL, &w, &f)) fail(f);     world_free(&w)
  *
  * Polygons of three corners are triangles; colours of lights and normals of patches are dropped. Of
  * more than world_most_lights lights the first are kept; without any there is one beside the eye.
+ * A file without a view has `otherwise`; where that is NULL it is refused.
  * "FILE:LINE: ..", exit code 2: broken, nothing in it, no view; cannot be read: 1.
  */
 #ifndef MESH_NFF_WORLD_H
@@ -80,7 +81,15 @@ static inline void nff_world_finish(nff_world_rooms *r)
     w->light_each = nff_plain_light((size_t)w->lights);
 }
 
-static inline bool nff_world(const char *path, world *w, failure *f)
+static inline bool nff_world_look(world *w, const nff_view *v, failure *f)
+{
+    failure why;
+    if (!v) return failed(f, 2, "%.300s: no view (v) in it", w->name);
+    return world_look(w, v->from, v->at, v->up, v->angle, &why)
+        || failed(f, 2, "%.300s: %s", w->name, why.text);
+}
+
+static inline bool nff_world(const char *path, const nff_view *otherwise, world *w, failure *f)
 {
     *w = (world){.name = path, .background = {(real)0.078, (real)0.361, (real)0.753}};
     nff_world_rooms r = {.w = w};
@@ -94,7 +103,7 @@ static inline bool nff_world(const char *path, world *w, failure *f)
     }
     fclose(in);
     if (ok && w->n == 0) ok = failed(f, 2, "%.300s: no shape in it", path);
-    if (ok && !r.viewed) ok = failed(f, 2, "%.300s: no view (v) in it", path);
+    if (ok && !r.viewed) ok = nff_world_look(w, otherwise, f);
     if (ok) nff_world_finish(&r);
     else world_free(w);
     return ok;
