@@ -118,6 +118,9 @@ static void test_links(void)
     check(put(in_dir("target"), "old", &f) && symlink("target", in_dir("link")) == 0, "made");
     check(put(in_dir("link"), "new", &f) && holds(in_dir("target"), "new"), "through the link");
     check(lstat(in_dir("link"), &s) == 0 && S_ISLNK(s.st_mode), "the link stays a link");
+    check(symlink("later", in_dir("early")) == 0, "made");
+    check(put(in_dir("early"), "first", &f) && holds(in_dir("later"), "first"), "made through it");
+    check(lstat(in_dir("early"), &s) == 0 && S_ISLNK(s.st_mode), "that stays a link, too");
     check(put("/dev/null", "x", &f) && stat("/dev/null", &s) == 0 && S_ISCHR(s.st_mode),
           "a device stays a device");
     if (access("/dev/full", W_OK) != 0) return;  /* Linux alone has it */
