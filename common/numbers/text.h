@@ -3,7 +3,8 @@
  * A statement is a line: a keyword, then tokens with blanks between them. A \ at the end of a line
  * joins it to the next, # begins a comment. Lines end by LF, CR LF or CR, the last one also by the
  * end of the file, and may be of any length: the file passes through a buffer of 64 KB, once, front
- * to back, so a pipe will do. A token has at most 4095 characters.
+ * to back, so a pipe will do: up to 256 MB of it, as it may never end. A token has at most 4095
+ * characters.
  *
  *      buffer            p             end
  *        | already read  | still unread | 0      text_ready keeps a whole token between p and end
@@ -36,6 +37,7 @@
 
 #define text_longest "up to 4095 characters"
 enum {
+    text_pipe_most = 1 << 28,  /* bytes: 256 MB; of what is no regular file */
     text_chunk = 1 << 16,  /* bytes in the buffer: fits the nearest caches */
     text_token = 4096      /* more than any token has: a double written out in full takes 1079 */
 };
@@ -48,6 +50,8 @@ typedef struct {
     size_t line;                 /* from 1 */
     char *buffer, *p, *end;      /* unread: [p, end); *end is 0 */
     bool last;                   /* nothing comes after `end` */
+    bool pipe, endless;          /* no regular file; and it is longer than text_pipe_most */
+    size_t taken;                /* bytes so far */
 } text_reader;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -66,7 +70,9 @@ static inline void text_refill(text_reader *r)
     r->p = r->buffer;
     r->end = r->buffer + rest + got;
     *r->end = 0;
-    r->last = got < wanted;
+    r->taken += got;
+    r->endless = r->pipe && r->taken > text_pipe_most;
+    r->last = got < wanted || r->endless;
 }
 
 /* From here on a whole token can be read without asking for the end of the buffer. */
@@ -196,6 +202,8 @@ static inline bool text_begin(text_reader *r, FILE *in, const char *name, failur
     *r = (text_reader){.in = in, .name = name, .keyword = "line", .f = f, .line = 1};
     r->buffer = r->p = r->end = malloc(text_chunk + 1);
     if (!r->buffer) return failed(f, 1, "%s: no memory", text_name(r));
+    struct stat what;
+    r->pipe = fstat(fileno(in), &what) == 0 && !S_ISREG(what.st_mode);  /* memory: no stat */
     text_refill(r);
     if (strncmp(r->p, "\xef\xbb\xbf", 3) == 0) r->p += 3;  /* UTF-8 with a byte order mark */
     return true;
@@ -214,11 +222,16 @@ static inline bool text_statement(text_reader *r)
     return false;
 }
 
-/* A read error counts before anything that it may have caused. */
+/* A read error, or no end, counts before anything that it may have caused. */
 static inline bool text_end(text_reader *r)
 {
     if (ferror(r->in)) {
         failed(r->f, 1, "%s: cannot read: %s", text_name(r), strerror(errno));
+        r->bad = true;
+    }
+    if (r->endless) {
+        failed(r->f, 2, "%s:%zu: no end: more than %d MB from a pipe, allowed: a file on a disk",
+               text_name(r), r->line, text_pipe_most >> 20);
         r->bad = true;
     }
     free(r->buffer);
