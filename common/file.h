@@ -181,23 +181,6 @@ static inline void file_abandon(file_writer *w)
     *w = (file_writer){NULL, NULL, NULL};
 }
 
-/* The file that a path leads to, through links, even if it is not there yet. For free(). */
-static inline char *file_target(const char *path)
-{
-    char to[4096];
-    char *there = realpath(path, NULL);
-    ssize_t n = there || errno != ENOENT ? -1 : readlink(path, to, sizeof to - 1);
-    if (n < 0) return there ? there : strdup(path);
-    to[n] = 0;
-    const char *slash = *to == '/' ? NULL : strrchr(path, '/');
-    int folder = slash ? (int)(slash + 1 - path) : 0;
-    char *next = allocate((size_t)(folder + n) + 1, 1);
-    sprintf(next, "%.*s%s", folder, path, to);
-    char *end = file_target(next);  /* ends: realpath says ELOOP of links without end */
-    free(next);
-    return end;
-}
-
 /* Opens a temporary file beside `path`. A link stays, the file it leads to is replaced, and keeps
  * its permissions. Devices, pipes and what the shell calls /dev/stdout are written to directly. One
  * writer a path at a time in a process. False: w holds nothing that needs closing. */
@@ -209,7 +192,9 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
     *w = (file_writer){NULL, NULL, NULL};
     if (exists && file_read_number(&old) >= 0)
         return failed(f, 2, "%.300s: not replaced: this run has read it", path);
-    w->path = direct ? strdup(path) : file_target(path);
+    if (!exists && lstat(path, &old) == 0)  /* another output may have the name it leads to */
+        return failed(f, 1, "%.300s: cannot write: a link to what is not there", path);
+    w->path = exists && !direct ? realpath(path, NULL) : strdup(path);
     bool may = !exists || access(path, W_OK) == 0;  /* rename would not ask */
     if (may && direct) {
         bool out = strcmp(path, "/dev/stdout") == 0;  /* shares its place in the file with stdout */

@@ -155,16 +155,13 @@ static inline const char *option_base(const char *path, char *folder)
     return slash ? slash + 1 : path;
 }
 
-/* Whether two names lead to one file; if it is not there yet, they are one name in one folder, or
- * links to that. */
+/* Whether two names lead to one file; if it is not there yet, they are one name in one folder. */
 static inline bool option_same_file(const char *a, const char *b)
 {
     struct stat s, t;
     char folder_a[PATH_MAX], folder_b[PATH_MAX];
     if (stat(a, &s) != 0 && stat(b, &t) != 0) {
-        char *at = file_target(a), *bt = file_target(b);
-        bool same = strcmp(option_base(at, folder_a), option_base(bt, folder_b)) == 0;
-        free(at), free(bt);
+        bool same = strcmp(option_base(a, folder_a), option_base(b, folder_b)) == 0;
         if (!same || stat(folder_a, &s) != 0 || stat(folder_b, &t) != 0) return false;
     } else if (stat(a, &s) != 0 || stat(b, &t) != 0 || !S_ISREG(s.st_mode)) return false;
     return s.st_dev == t.st_dev && s.st_ino == t.st_ino;

@@ -774,7 +774,8 @@ static void test_misuse(void)
         {"--costs x", "--rays"}, {"--score x", "--torture"},
         {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
         {"/nowhere/x.nff", "x.nff"}, {"@v.nff", "no view"}, {"@v.nff --at 0,0,0", "no view"},
-        {"@v.nff --from 1,1,1 --at 1,1,1", "equals the viewpoint"}, {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
+        {"@v.nff --from 1,1,1 --at 1,1,1", "equals the viewpoint"},
+        {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         test_dialogue(&(dialogue){2, wrong[i].arguments, {"err", wrong[i].says}}, 1);
     test_dialogue(&(dialogue){1, "--rays /nowhere/x.rays", {"err", "x.rays"}}, 1);

@@ -3,8 +3,7 @@
  * A statement is a line: a keyword, then tokens with blanks between them. A \ at the end of a line
  * joins it to the next, # begins a comment. Lines end by LF, CR LF or CR, the last one also by the
  * end of the file, and may be of any length: the file passes through a buffer of 64 KB, once, front
- * to back, so a pipe will do: up to 256 MB of it, as it may never end. A token has at most 4095
- * characters.
+ * to back, so a pipe will do: of 256 MB, as it may never end. Tokens: up to 4095 characters.
  *
  *      buffer            p             end
  *        | already read  | still unread | 0      text_ready keeps a whole token between p and end
@@ -50,8 +49,7 @@ typedef struct {
     size_t line;                 /* from 1 */
     char *buffer, *p, *end;      /* unread: [p, end); *end is 0 */
     bool last;                   /* nothing comes after `end` */
-    bool pipe, endless;          /* no regular file; and it is longer than text_pipe_most */
-    size_t taken;                /* bytes so far */
+    size_t left;                 /* bytes that may still come; 0: it has no end */
 } text_reader;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -70,9 +68,8 @@ static inline void text_refill(text_reader *r)
     r->p = r->buffer;
     r->end = r->buffer + rest + got;
     *r->end = 0;
-    r->taken += got;
-    r->endless = r->pipe && r->taken > text_pipe_most;
-    r->last = got < wanted || r->endless;
+    r->left -= got < r->left ? got : r->left;
+    r->last = got < wanted || r->left == 0;
 }
 
 /* From here on a whole token can be read without asking for the end of the buffer. */
@@ -203,7 +200,8 @@ static inline bool text_begin(text_reader *r, FILE *in, const char *name, failur
     r->buffer = r->p = r->end = malloc(text_chunk + 1);
     if (!r->buffer) return failed(f, 1, "%s: no memory", text_name(r));
     struct stat what;
-    r->pipe = fstat(fileno(in), &what) == 0 && !S_ISREG(what.st_mode);  /* memory: no stat */
+    bool pipe = fstat(fileno(in), &what) == 0 && !S_ISREG(what.st_mode);  /* memory: no stat */
+    r->left = pipe ? text_pipe_most : SIZE_MAX;
     text_refill(r);
     if (strncmp(r->p, "\xef\xbb\xbf", 3) == 0) r->p += 3;  /* UTF-8 with a byte order mark */
     return true;
@@ -229,11 +227,9 @@ static inline bool text_end(text_reader *r)
         failed(r->f, 1, "%s: cannot read: %s", text_name(r), strerror(errno));
         r->bad = true;
     }
-    if (r->endless) {
-        failed(r->f, 2, "%s:%zu: no end: more than %d MB from a pipe, allowed: a file on a disk",
-               text_name(r), r->line, text_pipe_most >> 20);
-        r->bad = true;
-    }
+    if (r->left == 0)
+        r->bad = !failed(r->f, 2, "%s:%zu: no end: %d MB from a pipe, allowed: a file on a disk",
+                         text_name(r), r->line, text_pipe_most >> 20);
     free(r->buffer);
     r->buffer = NULL;
     return !r->bad;
