@@ -721,7 +721,7 @@ static void test_endless(void)
     for (int disk = 0; disk < 2; disk++) {
         failure f = {0, ""};
         text_reader r;
-        FILE *in = disk ? tmpfile() : popen("yes 2>/dev/null", "r");
+        FILE *in = disk ? tmpfile() : popen("yes 2>/dev/null | head -c 400000", "r");
         for (int i = 0; disk && in && i < 200000; i++) fputs("y\n", in);
         if (in && disk) rewind(in);
         check(in && text_begin(&r, in, "name", &f), "begun");
