@@ -20,8 +20,6 @@
  *   RAY_REFRACTION    [0, inf] from leave(s, w)               closest
  *   RAY_SIGHT         [0, 1] from leave_between(a, b)         any: can the two see each other?
  *
- *   trace_world w = {part, n};           parts: a mesh or a scene of shapes, in a tree (15) each
- *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part); world_part_free(..)
  *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
@@ -40,24 +38,13 @@
 #ifndef SHADE_TRACE_H
 #define SHADE_TRACE_H
 
-#include "../15_wide_bvh/bvh8.h"
 #include "surface.h"
+#include "world.h"
 
 typedef enum {
     RAY_CAMERA, RAY_SHADOW, RAY_REFLECTION, RAY_REFRACTION, RAY_SIGHT, ray_kinds
 } ray_kind;
 typedef enum { ANY_HIT_ACCEPT, ANY_HIT_IGNORE, ANY_HIT_END } any_hit_answer;
-
-typedef struct {
-    const mesh *m;       /* this, */
-    const scene *s;      /* or this; the other is NULL */
-    bvh8 tree;
-    uint8_t mask;        /* seen by kinds whose mask shares a bit */
-    bool opaque;
-} world_part;
-
-typedef struct { const world_part *part; size_t parts; } trace_world;
-typedef struct { hit h; uint32_t part; } trace_hit;  /* h.shape: within the part */
 
 typedef struct tracer tracer;
 typedef struct {
@@ -84,29 +71,6 @@ static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
 static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x);
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). */
-static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
-{
-    failure f;
-    items x = items_of_mesh(m);
-    *out = (world_part){.m = m, .mask = mask};
-    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
-}
-
-static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part *out)
-{
-    failure f;
-    items x = items_of_scene(s);
-    *out = (world_part){.s = s, .mask = mask};
-    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
-}
-
-static inline void world_part_free(world_part *p)
-{
-    bvh8_free(&p->tree);
-    *p = (world_part){.mask = 0};
-}
 
 /* What was hit, put back on its shape. Never called: ray and hit, handed over as a whole right
  * after they were written, would wait for all that is under way. */
