@@ -53,12 +53,12 @@ static bool brute(const trace_world *w, ray r, uint8_t mask, int ignore, seen *o
     bool met = false;
     for (uint32_t k = 0; k < w->parts; k++) {
         const world_part *p = &w->part[k];
-        size_t n = p->m ? p->m->triangles : p->s->n;
-        for (size_t i = 0; i < n && (p->mask & mask); i++) {
+        const items *of = &p->tree.x;
+        for (size_t i = 0; i < of->n && (p->mask & mask); i++) {
             hit h;
             if ((int)(i % 3) == ignore) continue;
-            if (!(p->m ? triangle_hit(mesh_triangle(p->m, i), r, &h)
-                       : shape_hit(p->s->shapes[i], r, &h))) continue;
+            if (!(of->m ? triangle_hit(mesh_triangle(of->m, i), r, &h)
+                        : shape_hit(of->s->shapes[i], r, &h))) continue;
             if (met && h.t >= out->h.t) continue;
             h.shape = (uint32_t)i;
             out->h = h, out->part = k, met = true;

@@ -104,7 +104,7 @@ static void test_whitted(void)
                 r = ray_from(o, vunit(d));
             }
             media_set in = bodies_around(&q.e, r.o);
-            tracer t = {.w = &c.world, .program = whitted_programs, .user = &c.how};
+            tracer t = {.w = &c.e->t.world, .program = whitted_programs, .user = &c.how};
             vec3 a = seen_along(&q, r), b = whitted_ray(&t, r, in);
             b = vscale(b, 1 / whitted_square(&c.how, &in));
             inside += in.n > 1;

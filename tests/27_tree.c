@@ -64,7 +64,7 @@ static void random_studio(studio *s, int kinds)
 
 static bool occluded(const studio_tree *t, ray r)
 {
-    return studio_tree_occluded_but(t, &r, studio_but_none);
+    return studio_tree_occluded_but(t, &r, world_but_none);
 }
 
 /* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the
@@ -135,9 +135,9 @@ static void test_hits(void)
         check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
         check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
               hits);
-        check((t.all->n > 0) == (kinds & 1) && t.parts == (size_t)(1 + (kinds & 2))
+        check((t.all->n > 0) == (kinds & 1) && t.world.parts == (size_t)((kinds & 1) + (kinds & 2))
               && (t.moved.n > 0) == ((kinds & 6) != 0),
-              "only trees that hold something: %zu parts", t.parts);
+              "only trees that hold something: %zu parts", t.world.parts);
         studio_tree_free(&t);
         studio_free(&s);
     }
@@ -495,13 +495,13 @@ static void leave_out(const effects_stage *e, ray r, left_out *n)
     h.s = surface_facing(studio_surface(&e->t, r, x), r.d);
     vec3 d = any_way(&h.s, r.d), side = random_next(&rng) < (real)0.5 ? h.s.n : vneg(h.s.n);
     effects_child(&h, EFFECT_MIRROR, RAY_MIRRORED, side, d, b.weight, &child);
-    studio_but but = {child.left, studio_no_face};
+    world_but but = studio_but(child.left, studio_no_face);
     bool met = studio_tree_hit(&e->t, child.r, &all), same;
     studio_hit y = all;
     same = met == studio_tree_hit_but(&e->t, &child.r, but, &y) && y.place == all.place
         && y.h.shape == all.h.shape && y.h.t == all.h.t && y.h.u == all.h.u && y.h.v == all.h.v;
-    n->met++, n->wrong += !same, n->from += but.from.index != no_shape;
-    n->kept += met && but.from.index == no_shape && all.place == x.place
+    n->met++, n->wrong += !same, n->from += but.from != no_shape;
+    n->kept += met && but.from == no_shape && all.place == x.place
         && all.h.shape == x.h.shape;  /* it does meet it again: nobody left it out */
     lit_draw lamp;
     point2 u = {random_next(&rng), random_next(&rng)};
@@ -510,7 +510,7 @@ static void leave_out(const effects_stage *e, ray r, left_out *n)
     but = gather_but(&h, RAY_TO_LAMP, &lamp, shadow);
     n->wrong += occluded(&e->t, shadow)
         != studio_tree_occluded_but(&e->t, &shadow, but);
-    n->to += but.to.index != no_shape;
+    n->to += but.first != no_shape;
 }
 
 static void test_left_out(void)

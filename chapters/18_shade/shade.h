@@ -28,8 +28,6 @@
 #include "material.h"
 #include "trace.h"
 
-enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
-
 typedef struct {
     const light *lights;
     int n;               /* how many */

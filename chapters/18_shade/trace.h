@@ -20,16 +20,16 @@
  *   RAY_REFRACTION    [0, inf] from leave(s, w)               closest
  *   RAY_SIGHT         [0, 1] from leave_between(a, b)         any: can the two see each other?
  *
- *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
- *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
+ *   tracer t = {&world, programs, user}; world.h; one a thread: it counts the rays of each kind
+ *   part.opaque = true;                  of the world: no any_hit is asked, all that is met counts
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
  *   bool met = trace_find(&t, kind, &r, &payload, &x);   the same, and its hit in x, where r ends
  *                                 then (neither if the kind asks for the first); closest_hit and
  *                                 miss aren't called
  *
- * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
- * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,
- * which is faster. NULL for closest_hit and miss: nothing is done. No part, a NaN: a miss.
+ * Equal t, a NaN: as world.h has it. any_hit is called in no particular order, perhaps twice for one
+ * hit, only for candidates that would be the best; NULL accepts all, which is faster. NULL for
+ * closest_hit and miss: nothing is done.
  *
  * Sources: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, section 26.1; Microsoft,
  * DirectX Raytracing functional specification (TraceRay, ray flags, instance masks); S. Parker et
@@ -77,7 +77,8 @@ static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, t
 fast_inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
 {
     const world_part *p = &t->w->part[x.part];
-    return p->m ? surface_of_mesh(p->m, x.h) : surface_of_shape(&p->s->shapes[x.h.shape], r, x.h);
+    const items *of = &p->tree.x;
+    return of->m ? surface_of_mesh(of->m, x.h) : surface_of_shape(&of->s->shapes[x.h.shape], r, x.h);
 }
 
 /* For kinds with an any_hit: a walk of its own, box by box, with a question at each candidate. */
@@ -135,45 +136,31 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     }
 }
 
+/* world_find for kinds with an any_hit. */
 __attribute__((noinline))
-static any_hit_answer trace_part_asking(const tracer *t, const ray_program *g, const world_part *p,
-                                        ray r, void *payload, hit *h)
+static bool trace_find_asking(const tracer *t, const ray_program *g, ray *r, void *payload,
+                              trace_hit *x)
 {
-    uint32_t k = (uint32_t)(p - t->w->part);
-    trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
-    trace_ask(&a, &p->tree);
-    *h = a.q.best;
-    return a.end ? ANY_HIT_END : a.met ? ANY_HIT_ACCEPT : ANY_HIT_IGNORE;
+    bool met = false;
+    for (uint32_t k = 0; k < t->w->parts; k++) {
+        const world_part *p = &t->w->part[k];
+        trace_asking a = {t, g, k, *r, payload, query_of(*r), false, false};
+        if (!(p->mask & g->mask)) continue;
+        if (!p->opaque) trace_ask(&a, &p->tree);
+        else a.met = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : &a.q.best, NULL);
+        if (a.met && g->first) return true;
+        if (a.met && !(met && a.q.best.t == r->tmax))
+            met = true, *x = (trace_hit){a.q.best, k}, r->tmax = a.q.best.t;
+        if (a.end) break;
+    }
+    return met;
 }
 
-/* What is left to do after a part: nothing is met there (ignore), or *h is (accept; not if the kind
- * asks for the first: then h is untouched), and no other part matters (end). */
-fast_inline any_hit_answer trace_part(const tracer *t, const ray_program *g, const world_part *p,
-                                      const ray *r, void *payload, hit *h)
-{
-    if (!(p->mask & g->mask)) return ANY_HIT_IGNORE;
-    if (g->any_hit && !p->opaque) return trace_part_asking(t, g, p, *r, payload, h);
-    bool met = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : h, NULL);
-    return !met ? ANY_HIT_IGNORE : g->first ? ANY_HIT_END : ANY_HIT_ACCEPT;
-}
-
-/* For the same reason the hit is written where it shall lie. */
 fast_inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x)
 {
     const ray_program *g = &t->program[kind];
-    const world_part *part = t->w->part, *end = part + t->w->parts;
-    bool met = false;
-    for (const world_part *p = part; p < end; p++) {
-        hit later, *h = met ? &later : &x->h;
-        any_hit_answer answer = trace_part(t, g, p, r, payload, h);
-        if (answer == ANY_HIT_IGNORE) continue;
-        if (!g->first && (!met || h->t < r->tmax)) {  /* at equal t the first part stays */
-            if (met) x->h = later;
-            x->part = (uint32_t)(p - part), r->tmax = h->t;
-        }
-        met = true;
-        if (answer == ANY_HIT_END) break;
-    }
+    bool met = g->any_hit ? trace_find_asking(t, g, r, payload, x)
+                          : world_find(t->w, g->mask, world_but_none, r, g->first ? NULL : x);
     t->counts.rays[kind]++, t->counts.hits[kind] += met;
     return met;
 }

@@ -1,7 +1,18 @@
 /* world.h: what rays may meet: parts, each a mesh, or a scene of shapes (07), in its tree (15).
  *
+ *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part)
+ *   world_part_build(items, mask, &part, &f)     either of them; false: f says why
+ *   world_part_free(&part)                       a zeroed one may be freed
  *   trace_world w = {part, n};
- *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part); world_part_free(..)
+ *
+ *   world_find(&w, mask, world_but_none, &r, &x)   the closest hit, x, and r ends there; x NULL: is
+ *                                     there any? Of parts that share a bit with mask
+ *   world_but                         what the caller knows r not to meet, for a sooner answer: the
+ *                                     face that it left (18.10), `from`, and the lamp at its end,
+ *                                     faces `first` to `last`, each of the part of that id;
+ *                                     no_shape: none
+ *
+ * Equal t: the lower part, then the lower shape wins (hit.h). No part, a NaN: false.
  */
 #ifndef SHADE_WORLD_H
 #define SHADE_WORLD_H
@@ -9,39 +20,73 @@
 #include "../15_wide_bvh/bvh8.h"
 
 typedef struct {
-    const mesh *m;       /* this, */
-    const scene *s;      /* or this; the other is NULL */
-    bvh8 tree;
+    bvh8 tree;           /* of tree.x.m or tree.x.s; the other is NULL */
     uint8_t mask;        /* seen by kinds whose mask shares a bit */
-    bool opaque;
+    bool opaque;         /* trace.h: no any_hit is asked about it */
+    uint32_t id;         /* what world_but calls it; 0, unless its user says something else */
 } world_part;
 
 typedef struct { const world_part *part; size_t parts; } trace_world;
 typedef struct { hit h; uint32_t part; } trace_hit;  /* h.shape: within the part */
 
+typedef struct { uint32_t from_part, from, to_part, first, last; } world_but;
+#define world_but_none ((world_but){no_shape, no_shape, no_shape, no_shape, no_shape})
+
+enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
+
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). */
+/* What the items are of must outlive the part. O(n log n). */
+static inline bool world_part_build(items x, uint8_t mask, world_part *out, failure *f)
+{
+    *out = (world_part){.mask = mask};
+    return bvh8_build(&x, bvh8_defaults, &out->tree, f);
+}
+
+/* No memory: the program ends. */
 static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
 {
     failure f;
-    items x = items_of_mesh(m);
-    *out = (world_part){.m = m, .mask = mask};
-    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
+    if (!world_part_build(items_of_mesh(m), mask, out, &f)) fail(f);
 }
 
 static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part *out)
 {
     failure f;
-    items x = items_of_scene(s);
-    *out = (world_part){.s = s, .mask = mask};
-    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
+    if (!world_part_build(items_of_scene(s), mask, out, &f)) fail(f);
 }
 
 static inline void world_part_free(world_part *p)
 {
     bvh8_free(&p->tree);
     *p = (world_part){.mask = 0};
+}
+
+/* What `but` says of one part. */
+fast_inline bvh8_skip world_skip(world_but but, uint32_t id)
+{
+    bool to = but.to_part == id;
+    return (bvh8_skip){but.from_part == id ? but.from : no_shape, to ? but.first : no_shape,
+                       to ? but.last : no_shape};
+}
+
+/* The hit is written where it shall lie: a struct handed over as a whole right after its fields
+ * were written would wait for all that is under way. */
+fast_inline bool world_find(const trace_world *w, uint8_t mask, world_but but, ray *r,
+                            trace_hit *x)
+{
+    bool met = false;
+    for (uint32_t k = 0; k < w->parts; k++) {
+        const world_part *p = &w->part[k];
+        hit later, *h = !x ? NULL : met ? &later : &x->h;
+        if (!(p->mask & mask)) continue;
+        if (!bvh8_ask_at(&p->tree, r, world_skip(but, p->id), h, NULL)) continue;
+        if (!x) return true;
+        if (met && h->t == r->tmax) continue;  /* the first keeps it */
+        if (met) x->h = later;
+        met = true, x->part = k, r->tmax = h->t;
+    }
+    return met;
 }
 
 #endif

@@ -113,13 +113,13 @@ fast_inline bool gather_aside(const surface *s, vec3 p, vec3 d)
 
 /* Not `from` and the lamp, where leave_between (18) has both ends on the sides that see each
  * other. */
-fast_inline studio_but gather_but(const gather_hit *h, int kind, const lit_draw *x, ray r)
+fast_inline world_but gather_but(const gather_hit *h, int kind, const lit_draw *x, ray r)
 {
-    studio_but but = studio_but_none;
-    if (gather_aside(&h->s, r.o, r.d)) but.from = h->flat;
+    studio_face from = studio_no_face, to = studio_no_face;
+    if (gather_aside(&h->s, r.o, r.d)) from = h->flat;
     if (kind == RAY_TO_LAMP && gather_aside(&x->s, vadd(r.o, r.d), vneg(r.d)))
-        but.to = h->e->lamp.lies_in[x->emitter];
-    return but;
+        to = h->e->lamp.lies_in[x->emitter];
+    return studio_but(from, to);
 }
 
 /* False: nothing arrives. */

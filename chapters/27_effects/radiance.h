@@ -222,7 +222,7 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
 {
     studio_hit x;
     c->rays[b->kind]++;
-    if (!studio_tree_hit_but(&e->t, &b->r, (studio_but){b->left, studio_no_face}, &x)) {
+    if (!studio_tree_hit_but(&e->t, &b->r, studio_but(b->left, studio_no_face), &x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }

@@ -5,16 +5,15 @@
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded_but(&t, &r, but), studio_tree_hit_but(&t, &r, but, &x)    any; the
- *                                             closest, sooner: r is known not to meet two faces,
- *                                             the one that it left and that of the lamp at its end;
- *                                             r ends at its hit then, as in 18
+ *                                             closest, sooner, and r ends there: but = studio_but(
+ *                                             the face that it left, that of the lamp at its end)
  *   studio_face k = studio_flat_face(&t, x)   x's, for `but`, if it is flat: what leaves a plane by
  *                                             18 towards the same side does not come back
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Trees only where they have something to hold: parts of a world of 18, one of all shapes, one for
+ * Trees only where they have something to hold: a world of 18, one part of all shapes, one for
  * each mesh that stands as it is in its file; one of two levels (16) for those that were moved, or
  * stand a second time. There what rounding moves on the way and back, the pad of (16.3), is added
  * to `error` and `noise` of a surface.
@@ -31,34 +30,32 @@
 typedef struct { hit h; uint32_t place; } studio_hit;
 
 #define studio_no_face ((studio_face){no_shape, no_shape})
-typedef struct { studio_face from, to; } studio_but;
-#define studio_but_none ((studio_but){studio_no_face, studio_no_face})
 
 typedef struct {
     const studio *s;
     scene *all;               /* the shapes */
-    world_part *part;         /* [parts] the first of shapes, perhaps of none */
-    uint32_t *place;          /* [parts] of each; no_shape: of shapes */
+    world_part *part;         /* [world.parts] id: its place; no_shape: of shapes */
+    trace_world world;        /* these */
     instances moved;          /* numbered as the places are; .n 0: none was */
     placing *pad;             /* [places] of those that were moved */
-    size_t parts, solids;
+    size_t solids;
 } studio_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void studio_tree_free(studio_tree *t)
 {
-    for (size_t k = 0; k < t->parts; k++) world_part_free(&t->part[k]);
+    for (size_t k = 0; k < t->world.parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
-    free(t->all), free(t->part), free(t->place), free(t->pad);
+    free(t->all), free(t->part), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
 
-static inline bool studio_tree_add(studio_tree *t, world_part p, uint32_t place, failure *f)
+static inline bool studio_tree_add(studio_tree *t, items x, uint32_t place, failure *f)
 {
-    items x = p.m ? items_of_mesh(p.m) : items_of_scene(p.s);
-    if (!bvh8_build(&x, bvh8_defaults, &p.tree, f)) return false;
-    t->part[t->parts] = p, t->place[t->parts++] = place;
+    world_part *p = &t->part[t->world.parts];
+    if (!world_part_build(x, MASK_ALL, p, f)) return false;
+    p->id = place, t->world.parts++;
     return true;
 }
 
@@ -95,7 +92,7 @@ static inline bool studio_tree_places(studio_tree *t, failure *f)
         list[i] = s->placed[i];
         if (!has[m] && studio_stands(s, i)) {
             has[m] = true, list[i].mesh = (uint32_t)s->meshes;
-            ok = studio_tree_add(t, (world_part){.m = &s->mesh[m], .mask = MASK_ALL}, i, f);
+            ok = studio_tree_add(t, items_of_mesh(&s->mesh[m]), i, f);
         } else used[m] = s->mesh[m], moved++, points += used[m].vertices;
     }
     const crowd c = {used, s->meshes + 1, list, s->places};
@@ -109,10 +106,9 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
 {
     *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
     *out->all = studio_shapes(s);
-    out->part = allocate(s->meshes + 1, sizeof *out->part);
-    out->place = allocate(s->meshes + 1, sizeof *out->place);
-    const world_part shapes = {.s = out->all, .mask = MASK_ALL};
-    if (studio_tree_add(out, shapes, no_shape, f) && studio_tree_places(out, f)) return true;
+    out->world.part = out->part = allocate(s->meshes + 1, sizeof *out->part);
+    bool ok = !s->shapes || studio_tree_add(out, items_of_scene(out->all), no_shape, f);
+    if (ok && studio_tree_places(out, f)) return true;
     studio_tree_free(out);
     return false;
 }
@@ -126,24 +122,20 @@ fast_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, st
     *found = true, r->tmax = h.t;
 }
 
-/* What `but` says of the tree of one place. */
-fast_inline bvh8_skip studio_skip(studio_but but, uint32_t place)
+/* Neither is met. */
+fast_inline world_but studio_but(studio_face from, studio_face to)
 {
-    uint32_t to = but.to.place == place ? but.to.index : no_shape;
-    return (bvh8_skip){but.from.place == place ? but.from.index : no_shape, to, to};
+    return (world_but){from.place, from.index, to.place, to.index, to.index};
 }
 
-fast_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but but,
-                                     studio_hit *out)
+fast_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, world_but but, studio_hit *out)
 {
     bool found = false;
+    trace_hit stands;
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_ask_at(&t->part->tree, r, studio_skip(but, no_shape), &h, NULL))
-        studio_tree_keep(h, no_shape, r, &found, out);
-    for (size_t k = 1; k < t->parts; k++)
-        if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), &h, NULL))
-            studio_tree_keep(h, t->place[k], r, &found, out);
+    if (world_find(&t->world, MASK_ALL, but, r, &stands))
+        studio_tree_keep(stands.h, t->part[stands.part].id, r, &found, out);
     if (t->moved.n && instances_hit(&t->moved, *r, &x))
         studio_tree_keep(x.h, x.instance, r, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
@@ -152,13 +144,9 @@ fast_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, studio_but bu
     return found;
 }
 
-fast_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, studio_but but)
+fast_inline bool studio_tree_occluded_but(const studio_tree *t, ray *r, world_but but)
 {
-    const bvh8_skip own = studio_skip(but, no_shape);
-    if (t->all->n && bvh8_ask_at(&t->part->tree, r, own, NULL, NULL)) return true;
-    for (size_t k = 1; k < t->parts; k++)
-        if (bvh8_ask_at(&t->part[k].tree, r, studio_skip(but, t->place[k]), NULL, NULL))
-            return true;
+    if (world_find(&t->world, MASK_ALL, but, r, NULL)) return true;
     for (size_t k = 0; k < t->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, *r)) return true;
     return t->moved.n && instances_occluded(&t->moved, *r);
@@ -166,7 +154,7 @@ fast_inline bool studio_tree_occluded_but(const studio_tree *t, const ray *r, st
 
 static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 {
-    return studio_tree_hit_but(t, &r, studio_but_none, out);
+    return studio_tree_hit_but(t, &r, world_but_none, out);
 }
 
 /* Of moved meshes and solids none is left out: their places have no tree that asks. */

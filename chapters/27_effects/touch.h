@@ -194,7 +194,8 @@ static inline void touch_search(touch_asking *q)
     trace_asking a = {.program = &program, .r = q->across, .payload = q,
                       .q = query_of(q->across)};
     hit h;
-    for (size_t k = 0; k < t->parts; k++) a.part = t->place[k], trace_ask(&a, &t->part[k].tree);
+    for (const world_part *p = t->world.part, *end = p + t->world.parts; p < end; p++)
+        a.part = p->id, trace_ask(&a, &p->tree);
     for (uint32_t k = 0; k < t->solids; k++)
         if (csg_hit(&t->s->solid[k].c, q->across, &h))
             touch_note(q, (studio_hit){h, no_shape - 1 - k});

@@ -40,7 +40,7 @@ static inline vec3 terminator_point(const mesh *m, hit h, vec3 p, real side)
  * the eye. The way off the triangle is longer along ns. */
 static inline surface terminator_surface(const tracer *t, ray r, trace_hit x)
 {
-    const mesh *m = t->w->part[x.part].m;
+    const mesh *m = t->w->part[x.part].tree.x.m;
     surface s = surface_of_trace(t, r, x);
     if (!m || !m->n) return s;
     real side = vdot(s.n, r.d) > 0 ? -1 : 1, tilt = vdot(s.n, s.ns);

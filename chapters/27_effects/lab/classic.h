@@ -13,7 +13,6 @@
 
 typedef struct {
     const effects_stage *e;
-    trace_world world;
     whitted_material *look; /* [materials] */
     light *light;
     whitted how;
@@ -24,7 +23,7 @@ typedef struct {
 
 static inline uint32_t classic_number(const classic *c, trace_hit x)
 {
-    return studio_hit_material(&c->e->t, (studio_hit){x.h, c->e->t.place[x.part]});
+    return studio_hit_material(&c->e->t, (studio_hit){x.h, c->e->t.world.part[x.part].id});
 }
 
 static inline const whitted_material *classic_look(const void *context, trace_hit x,
@@ -47,7 +46,7 @@ static inline void classic_build(effects_stage *e, classic *c)
 {
     const studio *s = e->s;
     effects_stage_cut(e, (real)1 / 512);
-    *c = (classic){.e = e, .world = {e->t.part, e->t.parts}};
+    *c = (classic){.e = e};
     c->look = allocate(s->materials, sizeof *c->look);
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &e->look[m];
@@ -72,13 +71,13 @@ static inline void classic_free(classic *c)
 
 static inline vec3 classic_whitted(const classic *c, ray r)
 {
-    tracer t = {.w = &c->world, .program = whitted_programs, .user = &c->how};
+    tracer t = {.w = &c->e->t.world, .program = whitted_programs, .user = &c->how};
     return whitted_ray(&t, r, (media_set){0});
 }
 
 static inline vec3 classic_shade(const classic *c, ray r)
 {
-    tracer t = {.w = &c->world, .program = shade_programs, .user = &c->plain};
+    tracer t = {.w = &c->e->t.world, .program = shade_programs, .user = &c->plain};
     return shade_ray(&t, r);
 }
 
