@@ -422,8 +422,8 @@ static void test_fan(void)
     check(lit_trace(&s, r, &h) && h.t == 5 && h.s.shape == 0, "the first of all that share it");
     check(lit_trace_from(&s, r, 0, &h) && h.s.shape == 1, "left out: the next one");
     bvh8_skip most = {no_shape, 1, n - 1}, all = {0, 1, n - 1};
-    check(bvh8_ask(&s.trees->of_mesh, r, most, NULL, NULL), "all but one left out");
-    check(!bvh8_ask(&s.trees->of_mesh, r, all, NULL, NULL), "all left out: the ray is free");
+    check(bvh8_ask(&s.world.part->tree, r, most, NULL, NULL), "all but one left out");
+    check(!bvh8_ask(&s.world.part->tree, r, all, NULL, NULL), "all left out: the ray is free");
     lit_free(&s);
 }
 

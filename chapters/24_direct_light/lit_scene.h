@@ -1,11 +1,11 @@
-/* lit_scene.h: a scene with lights in it: triangles and shapes, their materials, what shines.
+/* lit_scene.h: a world (18) with lights in it: triangles and shapes, their materials, what shines.
  *
  *   lit_scene s;
  *   lit_begin(&s);
  *   uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){.5, .5, .5})});
  *   lit_add_rectangle(&s, (rectangle){o, s, t}, lamp);     front: s x t; if it shines, one emitter
  *   lit_add_triangle(&s, t, grey), lit_add_mesh(&s, &m, grey), lit_add_shape(&s, shape, grey);
- *   lit_end(&s);                                           trees and tables; then use it
+ *   lit_end(&s);                                           its world and tables; then use it
  *   lit_free(&s);                                          a zeroed one may be freed
  *
  *   lit_trace(&s, r, &h)      what r meets first; h.s is 18's surface, turned to where r comes from
@@ -27,8 +27,8 @@
 #ifndef DIRECT_LIT_SCENE_H
 #define DIRECT_LIT_SCENE_H
 
-#include "../15_wide_bvh/bvh8.h"
 #include "../18_shade/leave.h"
+#include "../18_shade/world.h"
 #include "../23_brdf/brdf.h"
 #include "emitter.h"
 
@@ -43,8 +43,8 @@ typedef struct {
 /* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
 typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
 
-/* What is searched (15): the trees point at what they are made of. */
-typedef struct { mesh m; scene shapes; bvh8 of_mesh, of_shapes; } lit_trees;
+/* The triangles, and the shapes: parts of the world, which point at what they are made of. */
+typedef struct { mesh m; scene shapes; world_part part[2]; } lit_parts;
 
 typedef struct {
     mesh m;                   /* triangles: owned */
@@ -60,7 +60,8 @@ typedef struct {
     vec3 background;          /* radiance from where nothing is */
     lit_face *face;           /* [m.triangles] */
     bvh8_skip *skip;          /* [emitters] its triangles, as .first and .last; none: a sphere */
-    lit_trees *trees;         /* made by lit_end; in a place of their own: a scene may be copied */
+    trace_world world;        /* what is searched: triangles; shapes, if there are some */
+    lit_parts *parts;         /* in a place of their own: a scene may be copied */
     struct {
         size_t v, n, index, normal_index, of_triangle, emitter_of, shapes, of_shape, materials,
             emitters;
@@ -186,7 +187,6 @@ static inline lit_face lit_face_of(triangle t)
 
 static inline void lit_end(lit_scene *s)
 {
-    failure f;
     size_t n = s->m.triangles;
     s->face = allocate(n, sizeof *s->face);
     for (size_t i = 0; i < n; i++) s->face[i] = lit_face_of(mesh_triangle(&s->m, i));
@@ -205,18 +205,19 @@ static inline void lit_end(lit_scene *s)
         bvh8_skip *k = &s->skip[s->emitter_of[i]];
         k->first = i, k->last = k->last == no_shape ? i : k->last;
     }
-    lit_trees *t = s->trees = allocate(1, sizeof *t);
-    t->m = s->m, t->shapes = (scene){s->shape, s->shapes};
-    items triangles = items_of_mesh(&t->m), shapes = items_of_scene(&t->shapes);
-    if (!bvh8_build(&triangles, bvh8_defaults, &t->of_mesh, &f)) fail(f);
-    if (!bvh8_build(&shapes, bvh8_defaults, &t->of_shapes, &f)) fail(f);
+    lit_parts *of = s->parts = allocate(1, sizeof *of);
+    of->m = s->m, of->shapes = (scene){s->shape, s->shapes};
+    world_part_of_mesh(&of->m, MASK_ALL, &of->part[0]);
+    world_part_of_scene(&of->shapes, MASK_ALL, &of->part[1]);
+    of->part[1].id = 1;
+    s->world = (trace_world){of->part, s->shapes ? 2 : 1};
 }
 
 static inline void lit_free(lit_scene *s)
 {
     mesh_free(&s->m);
-    if (s->trees) bvh8_free(&s->trees->of_mesh), bvh8_free(&s->trees->of_shapes);
-    free(s->trees), free(s->skip);
+    for (int k = 0; s->parts && k < 2; k++) world_part_free(&s->parts->part[k]);
+    free(s->parts), free(s->skip);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
     free(s->emitter), free(s->emitter_of), free(s->face);
     lit_begin(s);
@@ -249,16 +250,14 @@ fast_inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, u
  * again (18.10): the search need not ask. */
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
-    hit h = hit_none, other;
-    bool met = bvh8_ask(&s->trees->of_mesh, r, (bvh8_skip){from, no_shape, no_shape}, &h, NULL);
-    ray rest = {r.o, r.tmin, r.d, met ? h.t : r.tmax};
-    if (s->shapes && bvh8_hit(&s->trees->of_shapes, rest, &other) && (!met || other.t < h.t)) {
-        lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
-                  s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
-        return true;
-    }
-    if (!met) return false;
-    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+    const world_but but = {0, from, 0, no_shape, no_shape};
+    trace_hit x;
+    if (!world_find(&s->world, MASK_ALL, but, &own, &x)) return false;
+    uint32_t k = x.h.shape;
+    if (x.part == 0) lit_found(s, r, lit_surface(s, x.h), k, s->of_triangle[k], x.h.t, out);
+    else lit_found(s, r, surface_of_shape(&s->shape[k], r, x.h), s->m.triangles + k, s->of_shape[k],
+                   x.h.t, out);
     return true;
 }
 
@@ -270,10 +269,10 @@ static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
 /* Nor does it, up to its end, meet the emitter e that it was sent to. */
 static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
 {
-    bvh8_skip skip = e < s->emitters ? s->skip[e] : bvh8_skip_none;
-    skip.from = from;
-    return bvh8_ask(&s->trees->of_mesh, r, skip, NULL, NULL)
-        || (s->shapes && bvh8_occluded(&s->trees->of_shapes, r));
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+    bvh8_skip to = e < s->emitters ? s->skip[e] : bvh8_skip_none;
+    const world_but but = {0, from, 0, to.first, to.last};
+    return world_find(&s->world, MASK_ALL, but, &own, NULL);
 }
 
 static inline vec3 lit_emitted(const lit_hit *h)
