@@ -27,8 +27,8 @@
  *                                 then (neither if the kind asks for the first); closest_hit and
  *                                 miss aren't called
  *
- * Equal t, a NaN: as world.h has it. any_hit is called in no particular order, perhaps twice for one
- * hit, only for candidates that would be the best; NULL accepts all, which is faster. NULL for
+ * Equal t, a NaN: as world.h has it. any_hit is called in no particular order, perhaps twice for
+ * one hit, only for candidates that would be the best; NULL accepts all, which is faster. NULL for
  * closest_hit and miss: nothing is done.
  *
  * Sources: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, section 26.1; Microsoft,
@@ -78,7 +78,8 @@ fast_inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
 {
     const world_part *p = &t->w->part[x.part];
     const items *of = &p->tree.x;
-    return of->m ? surface_of_mesh(of->m, x.h) : surface_of_shape(&of->s->shapes[x.h.shape], r, x.h);
+    return of->m ? surface_of_mesh(of->m, x.h)
+                 : surface_of_shape(&of->s->shapes[x.h.shape], r, x.h);
 }
 
 /* For kinds with an any_hit: a walk of its own, box by box, with a question at each candidate. */
