@@ -1,8 +1,9 @@
 /* 02_camera: the ray through each point of a picture, by four kinds of camera; several a pixel.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 02_camera chapters/02_camera/main.c -lm -lpthread
  *
- * Draws one room through four cameras, eye and window, three vanishing points, the slip in RTR's
- * equation, and a camera far from the origin; prints what several rays a pixel cost and bring. */
+ * Draws one room through four cameras, eye and window, three vanishing points; prints what several
+ * rays a pixel cost and bring. --full: also the slip in RTR's equation, a camera far from the origin,
+ * a zone plate. */
 #include "lab/geometry.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -29,8 +30,7 @@ int main(int argc, char **argv)
     camera_draw_four(&o, v);
     if (!o.out) {
         camera_draw_geometry(&o), camera_draw_vanishing(&o);
-        camera_draw_slips(&o, v);
-        if (o.full || o.quick) camera_draw_zone_plate(&o, v);
+        if (o.full || o.quick) camera_draw_slips(&o, v), camera_draw_zone_plate(&o, v);
     }
     camera_measure_filters(&o);
     return output_done(&o);

@@ -1,8 +1,8 @@
 /* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
- * Without options: the two spheres of 1980, a tank, drawings, the tree of one pixel, a table of
- * error against time. --full: four depths; first.h. --protocol spd: rays counted as in published
+ * Without options: the two spheres of 1980, drawings, the tree of one pixel, a table of error
+ * against time. --full: a tank, four depths; first.h. --protocol spd: rays counted as in published
  * results. --samples N is rounded down to a square. */
 #include "lab/figures.h"
 #include "lab/measure.h"
@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     if (o.own) return output_done(&o);
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
-    draw_tank(&o);
+    if (o.full || o.quick) draw_tank(&o);
     whitted_explain(&o, NULL);
     draw_wavefronts(&o);
     draw_critical(&o);
