@@ -13,7 +13,8 @@
  *   die(2, "--leaf %d: ...", leaf);                   says so, and ends the program
  *
  * What this run has read no output replaces: file_begin refuses it, by device and inode. A state
- * that goes on in the same file says file_forget(path) first.
+ * that goes on in the same file says file_forget(path) first. Nor is anything written through a
+ * link to what is not there: two outputs that are one file could not be told.
  *
  * Exit codes: 0 done, 1 could not (no such file, full disk, no memory), 2 misuse or broken input,
  * 130 Ctrl-C, 143 SIGTERM.
