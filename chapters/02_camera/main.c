@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 02_camera chapters/02_camera/main.c -lm -lpthread
  *
  * Draws one room through four cameras, eye and window, three vanishing points; prints what several
- * rays a pixel cost and bring. --full: also the slip in RTR's equation, a camera far from the origin,
- * a zone plate. */
+ * rays a pixel cost and bring. --full: also the slip in RTR's equation, a camera far from the
+ * origin, a zone plate. */
 #include "lab/geometry.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"

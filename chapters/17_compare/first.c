@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare_first ch
 #include "first.h"
 #include <time.h>
 
-enum { width = 640, height = 330, rays = 20000, left = 150, decade = 120 };
+enum { width = 640, height = 330, rays = 12000, left = 150, decade = 120 };
 
 static void fill(image *im, int x, int y, int w, int h, vec3 c)
 {

@@ -1,11 +1,11 @@
-/* 22 The floor under a lamp. Left by 256 directions a point, right by the formula.
+/* 22 The floor under a lamp. Left by 200 directions a point, right by the formula.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry_first chapters/22_radiometry/first.c -lm
    Dark rings: there the irradiance E is a multiple of 0.2 W/m^2. */
 #include "../../common/image.h"
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 500, height = 310, N = 256 };
+enum { width = 500, height = 310, N = 200 };
 
 int main(int argc, char **argv)
 {

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf_first chapt
 #include "../03_sphere/first.h"
 #include "first.h"
 
-enum { width = 560, height = 290, balls = 8, N = 25, n = 2 };
+enum { width = 560, height = 290, balls = 8, N = 20, n = 2 };
 
 /* The first ball is matte. */
 static first_brdf coat(int i)

@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light_fir
 #include "../../common/image.h"
 #include "first.h"
 
-enum { side = 300, n = 4 };
+enum { side = 270, n = 4 };
 
 static vec3 colour(const first_scene *s, bool by_lamp, ray r, random_stream *random)
 {

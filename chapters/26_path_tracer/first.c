@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer_firs
 #include "../../common/image.h"
 #include "first.h"
 
-enum { side = 320, most = 65536 };
+enum { side = 300, most = 65536 };
 
 int main(int argc, char **argv)
 {

@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects_first ch
 #include "../../common/image.h"
 #include "first.h"
 
-enum { width = 210, height = 210, scenes = 3 };
+enum { width = 200, height = 200, scenes = 3 };
 
 static first_scene one_ball(void)
 {
