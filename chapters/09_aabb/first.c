@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 09_aabb_first chapt
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 504, height = 360, blocks = 11, n = 2 };
+enum { width = 490, height = 350, blocks = 11, n = 2 };
 static aabb house[blocks * blocks];
 
 /* The nearer the middle of the town, the higher the houses. */

@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 13_bsp_first chapte
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 400, n = 2 };
+enum { side = 480, n = 2 };
 
 /* The leaf where p is: leaves take their turn in the rainbow. */
 static vec3 tint(const first_bsp *b, vec3 p)

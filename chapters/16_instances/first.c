@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances_first 
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 504, height = 270, rows = 9, columns = 8, n = 2 };
+enum { width = 490, height = 262, rows = 9, columns = 8, n = 2 };
 static first_instance one[rows * columns];
 
 /* Each is turned about two axes, and stretched. */

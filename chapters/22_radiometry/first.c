@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry_first
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 500, height = 310, N = 200 };
+enum { width = 484, height = 300, N = 200 };
 
 int main(int argc, char **argv)
 {

@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces_first ch
 #include "../../common/image.h"
 #include "first.h"
 
-enum { side = 160, n = 5, terms = 4, N = 1 };
+enum { side = 144, n = 5, terms = 4, N = 1 };
 
 int main(int argc, char **argv)
 {

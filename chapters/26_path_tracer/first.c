@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer_firs
 #include "../../common/image.h"
 #include "first.h"
 
-enum { side = 300, most = 65536 };
+enum { side = 320, most = 65536 };
 
 int main(int argc, char **argv)
 {
@@ -13,7 +13,7 @@ int main(int argc, char **argv)
     bool given = argc > 1 && isdigit((unsigned char)argv[1][0]) && *end == 0;
     const char *path = picture_path_after(given, argc, argv, "26_path_tracer_first");
     failure f = {2, "samples a pixel: 1 to 65536"};
-    if (!given) N = 12;
+    if (!given) N = 10;
     if (N < 1 || N > most) fail(f);
 
     image im = image_new(side, side);
