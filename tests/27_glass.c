@@ -244,7 +244,7 @@ static void test_begins(const char *eye, double x0, double z0, double x1, double
         dice_pixel of;
         drawing j = {.e = &q.e, .samples = 1, .seed = seed, .width = 1, .height = 1};
         if (!draw_image(&j, &im, 1)) abort();
-        dice_pixel_of(seed, 0, &of);
+        dice_pixel_of(seed, 0, true, &of);
         dice d = dice_sample(&of, 0);
         ray r = draw_ray(&j, 0, 0, &d);
         double from = (double)r.tmin, to = (double)(-r.o.z / r.d.z);

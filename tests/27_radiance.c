@@ -502,6 +502,44 @@ static void test_plates(void)
     tear_down(&q);
 }
 
+/* How many of 600 samples differ, if no pairs are there to be asked for. */
+static int without_pairs(const char *text, bool *chance)
+{
+    set q;
+    int differ = 0;
+    set_up(&q, text);
+    *chance = q.e.chance;
+    for (uint32_t i = 0; i < 600; i++) {
+        vec3 L[2];
+        ray r = camera_ray(q.e.eye, (real)(i % 20), (real)(i / 20 % 15), 20, 15);
+        for (int k = 0; k < 2; k++) {
+            dice_pixel of;
+            effects_counts c = {.lost = 0};
+            dice_pixel_of(1, i, k == 0, &of);
+            dice d = dice_sample(&of, i / 300);
+            L[k] = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
+        }
+        differ += memcmp(&L[0], &L[1], sizeof L[0]) != 0;
+    }
+    tear_down(&q);
+    return differ;
+}
+
+/* Where nothing is an integral nobody asks for pairs: draw.h does not hash them. */
+static void test_pairs_called_for(void)
+{
+#define PAIRS_ROOM "camera from 0 1 6 at 0 1 0 angle 40\nbackground .2\nindirect off\n" \
+    "sun to 1 2 3 colour 2\nlight at 0 4 1 colour 20\n" \
+    "material chrome\nKd .1\nKs .8\nillum 3\nsphere 1 1 0 .9\n" \
+    "material glass\nKd 0\nNi 1.5\nillum 7\nsphere -1 1 0 .9\nbox -9 -9 -3  9 9 -2\n"
+    bool chance;
+    int differ = without_pairs(PAIRS_ROOM, &chance);
+    check(!chance && differ == 0, "chrome and glass: %d samples ask for pairs", differ);
+    differ = without_pairs(PAIRS_ROOM "material lamp\nKe 9\nsphere 0 4 0 .5\n"
+                           "material matte\nKd .5\nsphere 0 0 0 .5\n", &chance);
+    check(chance && differ > 5, "a lamp in it: %d samples ask for pairs", differ);
+}
+
 /* What a lobe shows of lamps of each kind and of the sky: by its rays alone, by shadow rays alone,
  * by both with weights. False alarms: 1e-7 each. */
 static void test_ways(void)
@@ -576,6 +614,7 @@ int main(void)
     test_highlights();
     test_deep();
     test_plates();
+    test_pairs_called_for();
     test_round_lamp();
     test_hidden_lamp();
     test_ways();

@@ -2,7 +2,8 @@
  *
  *   number = f(seed, pixel, sample, node, purpose)
  *
- *   dice_pixel p; dice_pixel_of(seed, pixel, &p);     hashed once, and outlives
+ *   dice_pixel p; dice_pixel_of(seed, pixel, pairs, &p);      hashed once, and outlives; pairs false:
+ *                                                     no dice_pair will be asked for, nor hashed
  *   dice d = dice_sample(&p, k)                       sample k of the pixel
  *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
  *   real u = dice_number(&d, node, purpose)           one, independent of all others
@@ -32,10 +33,11 @@ enum { dice_depth = 3, dice_row = 32 };  /* dice_row: number of a stream; others
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void dice_pixel_of(uint64_t seed, uint64_t pixel, dice_pixel *out)
+static inline void dice_pixel_of(uint64_t seed, uint64_t pixel, bool pairs, dice_pixel *out)
 {
     for (uint64_t k = 0; k < 2; k++) {
-        sampler_keys_of(SEQUENCE_SOBOL, seed, 2 * pixel + k, &out->pairs[k]);
+        if (pairs) sampler_keys_of(SEQUENCE_SOBOL, seed, 2 * pixel + k, &out->pairs[k]);
+        else out->pairs[k] = (sampler_keys){.kind = SEQUENCE_SOBOL};
         out->own[k] = random_pixel(seed, 2 * pixel + k);
     }
 }

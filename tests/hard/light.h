@@ -515,7 +515,7 @@ static inline hard_count plates(int k, real x)
             for (uint32_t t = 0; t < 400; t++) {
                 dice_pixel of;
                 effects_counts count = {.lost = 0};
-                dice_pixel_of(hard_seed, i, &of);
+                dice_pixel_of(hard_seed, i, true, &of);
                 dice d = dice_sample(&of, t);
                 vec3 L = effects_made_for(e.mask)(&e, r, (media_set){0}, &d, &count);
                 seen = estimate_add(seen, (double)L.y);
