@@ -57,7 +57,8 @@ static inline void own_world(const compare_options *own, const char *path, world
     mesh m;
     if (ends_with(path, ".nff")) {
         double from[3], at[3];  /* both: a file without a view has this one, upright */
-        bool both = read_numbers("from", own->from, from) & read_numbers("at", own->at, at);
+        bool one = read_numbers("from", own->from, from), other = read_numbers("at", own->at, at);
+        bool both = one && other;
         nff_view v = {.up = {0, 0, 1}, .angle = 45};
         if (both) v.from = vec(from[0], from[1], from[2]), v.at = vec(at[0], at[1], at[2]);
         if (!nff_world(path, both ? &v : NULL, w, &f)) fail(f);
