@@ -228,6 +228,25 @@ static void test_pile(void)
     }
 }
 
+/* Of few, one whose grid has one cell, and so asks all: their rays stay as many. */
+static void test_one_slow(void)
+{
+    const char *const names[2] = {"grid:density=1e-6", "grid:density=1e-6,bvh,wide,kdtree"};
+    world w;
+    failure f;
+    if (!scene_world(scene_find("stadium"), 16, &w, &f)) fail(f);
+    for (int k = 0; k < 2; k++) {
+        comparison s;
+        line_up some = chosen_of(names[k]);
+        compare_begin(&s, &w, &some, (size_t)1 << 30, 1);
+        compare_rays(&s, 500, 7);
+        check((s.share < 1) == (k == 0), "%s: %g steps and tests, share %g", names[k], s.work,
+              s.share);
+        compare_end(&s);
+    }
+    world_free(&w);
+}
+
 /* First versions. ----------------------------------------------------------------------------- */
 
 /* For the tables: each alone, built by the name it has there; none holds what is no triangle. */
@@ -774,6 +793,7 @@ static void test_misuse(void)
         {"--costs x", "--rays"}, {"--score x", "--torture"},
         {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"},
         {"/nowhere/x.nff", "x.nff"}, {"@v.nff", "no view"}, {"@v.nff --at 0,0,0", "no view"},
+        {"@v.nff --from 0,-5,1", "no view"},
         {"@v.nff --from 1,1,1 --at 1,1,1", "equals the viewpoint"},
         {"@b.obj --at 0,nan,1", "allowed are X,Y,Z"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
@@ -1045,6 +1065,7 @@ int main(void)
     test_solids();
     test_memory();
     test_pile();
+    test_one_slow();
     test_first_contenders();
     test_wrong_is_counted();
     test_alone();

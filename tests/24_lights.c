@@ -427,6 +427,31 @@ static void test_fan(void)
     lit_free(&s);
 }
 
+/* Triangles 0 and 1 are the lamp, 2 and 3 the floor; of as many balls each has the number of one of
+ * these. What a ray does not meet of the triangles it meets of the balls. */
+static void test_same_numbers(void)
+{
+    lit_scene s;
+    lit_hit h;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){1, 1, 1})});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = {1, 1, 1}});
+    lit_add_rectangle(&s, (rectangle){{-9, -9, 4}, {0, 18, 0}, {18, 0, 0}}, lamp);
+    lit_add_rectangle(&s, (rectangle){{-9, -9, -1}, {18, 0, 0}, {0, 18, 0}}, grey);
+    for (int i = 0; i < 4; i++)
+        lit_add_shape(&s, (shape){.kind = SHAPE_SPHERE,
+                                  .sphere = {{(real)(2 * i - 3), 0, 2}, (real)0.5}}, grey);
+    lit_end(&s);
+    for (uint32_t i = 0; i < 4; i++) {
+        ray up = {{(real)(2 * (int)i - 3), (real)0.1, 0}, 0, {0, 0, 4}, 1};
+        check(lit_occluded_from(&s, up, i, 0), "ball %u hides the lamp", i);
+        check(lit_trace_from(&s, up, i, &h) && h.s.shape == 4 + i, "ball %u is met", i);
+        up.o.y = 2;
+        check(!lit_occluded_from(&s, up, i, 0), "beside ball %u all is free", i);
+    }
+    lit_free(&s);
+}
+
 /* ---- mis ---- */
 
 static void test_weights(void)
@@ -490,6 +515,7 @@ int main(void)
     test_unseen();
     test_leaving();
     test_fan();
+    test_same_numbers();
     test_weights();
     test_short_cut();
     return check_report("24_lights");

@@ -12,7 +12,8 @@
  *                                     faces `first` to `last`, each of the part of that id;
  *                                     no_shape: none
  *
- * Equal t: the lower part, then the lower shape wins (hit.h). No part, a NaN: false.
+ * Equal t: the lower part, then the lower shape wins (hit.h). No part, a NaN: false. x.h.t in units
+ * of r.d. Each part is a search of its tree, O(log n) for most scenes.
  */
 #ifndef SHADE_WORLD_H
 #define SHADE_WORLD_H

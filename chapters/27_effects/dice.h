@@ -2,8 +2,9 @@
  *
  *   number = f(seed, pixel, sample, node, purpose)
  *
- *   dice_pixel p; dice_pixel_of(seed, pixel, pairs, &p);    hashed once, and outlives; pairs: or
- *                                                     no dice_pair is asked for, nor hashed
+ *   dice_pixel p; dice_pixel_of(seed, pixel, pairs, &p);    hashed once, and outlives; where no
+ *                                                     dice_pair will be asked for, pairs false
+ *                                                     spares the hashing of these
  *   dice d = dice_sample(&p, k)                       sample k of the pixel
  *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
  *   real u = dice_number(&d, node, purpose)           one, independent of all others

@@ -61,7 +61,7 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
     film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     dice_pixel of;
-    dice_pixel_of(j->seed, i, j->e->chance || !j->middle, &of);
+    dice_pixel_of(j->seed, i, !j->middle, &of);
     for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
         dice d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
