@@ -58,21 +58,12 @@ export ASKED := $(CC)
 endif
 
 # First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
-# the same. What computes little beside what compiling it takes gets -O0: many tests, and most programs, of which
-# cli.sh asks every seventh much. (-march and unwind tables are 1 % of -O0's instructions.) CFLAGS, if given, goes before.
+# the same; -O0 makes the tests of common/, which compute little, sooner. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
-LIGHT = 01_ray 01_wide 02_camera 02_filter 02_first 03_sphere 05_first 06_first 07_first 07_obj 07_teapot \
-  08_object_order 09_first 12_first 13_painter 14_files 17_compare 17_spd 18_first 18_leave 18_shade \
-  19_first 19_optics 19_pixel 19_spd 19_whitted 20_first 20_sequences 20_statistics 21_distributed 21_first \
-  21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
-  25_bounces 25_first 25_transport 26_first 26_path_tracer 26_state 27_corpus 27_first 27_glass \
-  27_plan 27_proof 27_radiance 27_readers 27_tree figure label output
 FIRST_CFLAGS = -O1  # for no processor in particular, so without wide registers: CLEAR would only cost time
 FIRST_FAST = 05_implicit 15_wide_bvh  # -O2 halves their time
-SET_FLAGS_seeing = -Og $(CLEAR)
-SET_FLAGS_common = -O0 $(CLEAR)
-LIGHT_MAINS = $(filter-out 06_csg 16_instances 20_monte_carlo,$(CHAPTERS))
+SET_CFLAGS_common = -O0 $(CLEAR)
 endif
 CFLAGS ?= -O2 $(LEAN) $(NATIVE)
 QUICK_CFLAGS ?= $(CFLAGS)
@@ -91,10 +82,10 @@ EXACT = -ffp-contract=off -fno-tree-slp-vectorize
 # Nor does gcc put a function into another where the file grows by it: a fifth less of its time, and the tests run as
 # long but for a thirtieth.
 SOON = -Dflatten= -Dalways_inline=unused $(CALM) $(SMALL)
-# Under the sanitizers, tests that compute much for the few lines they compile, and the short book: -O1.
-MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 12_kdtree 13_bsp 13_first 14_bvh 14_first \
-  14_tree 16_first 20_monte_carlo structures first
+# Under the sanitizers: sets of tests that compute much for the few lines they compile, and the short book.
+MUCH = structures first
 ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
+ALL_FIRST_CFLAGS = -std=c11 $(FIRST_CFLAGS) $(MUCH_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL)
 
 BUILD ?= build
 ifneq ($(words $(filter-out / . ..,$(BUILD))) $(words $(filter double float,$(REAL))),1 1)
@@ -118,8 +109,37 @@ MAKEFLAGS += -j$(JOBS)
 endif
 
 .PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
-# First the three that take longest to compile, else one core waits for them at the end.
-all: $(addprefix $(BUILD)/,$(filter 27_% 17_% 26_%,$(CHAPTERS)) $(CHAPTERS))
+# Programs that include much the same are built as one (together.sh), of which each is a copy: what they include is
+# compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself; it is
+# as quick, but for some hundredths. Those that take longest come first, else one core waits for them at the end.
+PARTS = structures paths light shapes
+PART_structures = $(filter-out 18_% 19_%,$(filter 1%,$(CHAPTERS)))
+PART_paths = $(filter 24_% 25_% 26_% 27_%,$(CHAPTERS))
+PART_light = $(filter-out $(PART_structures) $(PART_paths) $(PART_shapes),$(CHAPTERS))
+PART_shapes = $(filter 0%,$(CHAPTERS))
+# The short book, in two parts as well.
+FIRST_PARTS = second_half first_half
+PART_first_half = $(filter 0% 10_% 11_% 12_% 13_%,$(FIRST_LEAN))
+PART_second_half = $(filter-out $(PART_first_half),$(FIRST_LEAN))
+FIRST_LEAN = $(patsubst %,%_first,$(filter-out $(FIRST_FAST),$(FIRSTS)))
+# $(call together,PROGRAM,FLAGS,NAMES OF WHAT IT IS)
+define together
+$(1).c: FORCE
+	@mkdir -p $(dir $(1)) && sh tests/together.sh $(3) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+$(1): $(1).c $(STAMP)
+	$(if $(V),,@echo "CC $(3)")
+	$(Q)$(CC) -I. $(2) -Wno-shadow -MMD -MP -MF $$@.d -MT "$$@ $(3:%=$(dir $(1))%)" -o $$@ $$< $(LDLIBS)
+endef
+# $(call copies,PARTS): those of their programs that are older than the part
+copies = $(foreach p,$(1),for c in $(PART_$(p)); do \
+  [ $(BUILD)/$$c -nt $(BUILD)/$(p) ] || cp -f $(BUILD)/$(p) $(BUILD)/$$c || exit 1; done;)
+$(foreach p,$(PARTS),$(eval $(call together,$(BUILD)/$(p),$(ALL_CFLAGS),$(PART_$(p)))))
+$(foreach p,$(FIRST_PARTS),$(eval $(call together,$(BUILD)/$(p),$(ALL_FIRST_CFLAGS),$(PART_$(p)))))
+.PHONY: firsts
+all: $(PARTS:%=$(BUILD)/%)
+	@$(call copies,$(PARTS))
+firsts: $(foreach p,$(FIRST_PARTS),$(if $(PART_$(p)),$(BUILD)/$(p))) $(patsubst %,$(BUILD)/%_first,$(filter $(FIRST_FAST),$(FIRSTS)))
+	@$(call copies,$(FIRST_PARTS))
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
@@ -132,15 +152,15 @@ $(BUILD)/27_tax: chapters/27_effects/lab/tax.c $(STAMP)
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC quick/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') $(if $(filter $*,$(LIGHT_MAINS)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') $(QUICK_CFLAGS) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
-	$(Q)$(CC) -std=c11 $(FIRST_CFLAGS) $(if $(filter $*,$(FIRST_FAST)),-O2) $(MUCH_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
+	$(Q)$(CC) $(ALL_FIRST_CFLAGS) $(if $(filter $*,$(FIRST_FAST)),-O2) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(if $(filter $*,$(MUCH)),$(MUCH_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*.d $(BUILD)/quick/*.d)
 
@@ -153,7 +173,8 @@ FORCE:
 # Two at a time, or as many as there are cores; 17 measures time, and runs alone.
 first:
 	@echo "== the short book"
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(addprefix first-,$(filter-out 17_compare,$(FIRSTS))) $(BUILD)/17_compare_first
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) firsts
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(addprefix first-,$(filter-out 17_compare,$(FIRSTS)))
 	$(Q)$(MAKE) --no-print-directory $(addprefix first-,$(filter 17_compare,$(FIRSTS)))
 $(FIRSTS:%=first-%): first-%: $(BUILD)/%_first
 	$(Q)$(BUILD)/$*_first
@@ -203,28 +224,24 @@ showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
 	$(Q)$(BUILD)/07_mesh --teapot 24 --save build/teapot.obj
 	$(Q)$(BUILD)/27_effects chapters/27_effects/scenes/showpiece.scene --size 1280x720 --samples 256 --out images/showpiece.png
 
-# Tests that include much the same are one program there (together.sh), and so compiled in a third of the time. What
-# they compute decides whether -O0, -Og or -O1 has both, compiling and computing, done soonest.
-SETS = seeing paths structures first common
-SET_seeing = $(filter 17_spd 18_% 19_% 21_% 22_%,$(filter-out 22_first,$(TESTS)))
-SET_paths = $(filter 24_% 25_% 26_% 27_%,$(filter-out 27_first,$(TESTS)))
-SET_structures = $(filter 10_% 11_% 12_% 13_% 14_% 16_% 17_compare 17_torture,$(filter-out %_first,$(TESTS)))
-SET_first = $(filter 10_first 11_first 12_first 13_first 14_first 15_first 16_first,$(TESTS))
-SET_common = $(filter-out parallel,$(filter-out 0% 1% 2%,$(TESTS)))
-SET_TESTS = $(foreach s,$(SETS),$(SET_$(s)))
-define set_of_tests
-$(BUILD)/quick/$(1).c: FORCE
-	@mkdir -p $(BUILD)/quick && sh tests/together.sh $(SET_$(1)) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
-$(BUILD)/quick/tests_$(1): $(BUILD)/quick/$(1).c $(STAMP)
-	$(if $(V),,@echo "CC tests/ of $(1): $(SET_$(1))")
-	$(Q)$(CC) -I. $(ALL_CFLAGS) $(or $(SET_FLAGS_$(1)),$(QUICK_CFLAGS)) $(if $(filter $(1),$(MUCH)),$(MUCH_CFLAGS)) $(SOON) -Wno-shadow -MMD -MP -MF $$@.d -MT $$@ -o $$@ $$< $(LDLIBS)
-endef
-$(foreach s,$(SETS),$(eval $(call set_of_tests,$(s))))
+# Tests and programs of a part are one program there, with flags that have both, compiling and computing, done soonest.
+# But two, which put a function of their own before pthread_create: what they include calls that.
+ALONE = parallel 15_wide_bvh
+SETS = structures paths light shapes first common
+SET_first = $(filter %_first,$(TESTS))
+SET_paths = $(filter 24_% 25_% 26_% 27_%,$(filter-out %_first,$(TESTS)))
+SET_structures = $(filter-out $(ALONE) 17_spd 18_% 19_%,$(filter 1%,$(filter-out %_first,$(TESTS))))
+SET_light = $(filter 17_spd 18_% 19_% 2%,$(filter-out $(SET_paths) %_first,$(TESTS)))
+SET_shapes = $(filter 0%,$(filter-out %_first,$(TESTS)))
+SET_common = $(filter-out $(ALONE) 0% 1% 2%,$(TESTS))
+SET = $(SET_$(1):%=test_%) $(PART_$(1))
+$(foreach s,$(SETS),$(eval $(call together,$(BUILD)/quick/$(s),$(ALL_CFLAGS) $(or $(SET_CFLAGS_$(s)),$(QUICK_CFLAGS)) \
+  $(if $(filter $(s),$(MUCH)),$(MUCH_CFLAGS)) $(SOON),$(call SET,$(s)))))
 
-SINGLE = $(filter-out $(SET_TESTS),$(TESTS))
-test: $(foreach s,$(SETS),$(if $(SET_$(s)),$(BUILD)/quick/tests_$(s))) $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(SINGLE:%=$(BUILD)/test_%)
+SINGLE = $(filter-out $(foreach s,$(SETS),$(SET_$(s))),$(TESTS))
+test: $(foreach s,$(SETS),$(if $(strip $(call SET,$(s))),$(BUILD)/quick/$(s))) firsts $(SINGLE:%=$(BUILD)/test_%)
 	@cd $(BUILD)/quick && for f in $(FIRSTS:%=%_first) $(SINGLE:%=test_%); do ln -sf ../$$f .; done; \
-	  $(foreach s,$(SETS),for t in $(SET_$(s)); do ln -sf tests_$(s) test_$$t; done;)
+	  $(foreach s,$(SETS),for p in $(call SET,$(s)); do ln -sf $(s) $$p; done;)
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)/quick" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
 	  sh tests/run.sh $(SCRIPTS) $(TESTS)
 define test_number
@@ -234,7 +251,7 @@ test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
-soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
+soak: $(TESTS:%=$(BUILD)/test_%) firsts all
 	$(if $(MINUTES),,$(Q)$(MAKE) --no-print-directory pages FULL=1)
 	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
 	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
@@ -265,7 +282,7 @@ hard-cases:
 # their tables, as the ledger has numbers of these, and times, of which it has none, are taken once.
 TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
 csv:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
 	@mkdir -p $(BUILD)/csv && ln -sfn "$(CURDIR)/chapters" $(BUILD)/csv/chapters
 	@for c in $(TABLED); do case " $(WHOLE) " in *" $$c "*) full=--full ;; *) full= ;; esac; \
 	  echo "$$c $$full --csv"; \
@@ -284,7 +301,7 @@ commands:
 	@sh tests/commands.sh
 compilers:
 	@FILES="$(FILES)" JOBS=$(JOBS) sh tests/compilers.sh
-coverage: all $(FIRSTS:%=$(BUILD)/%_first)
+coverage: all firsts
 	@BUILD="$(BUILD)" TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
 # The only targets with a program or a library of others, book and embree, are never part of what the rest builds.

@@ -23,7 +23,8 @@ static void test_two_leaves(void)
     int axis = t.root.axis, most = (int)fmax(t.root.child[0].n, t.root.child[1].n), reach[2] = {0};
     for (int i = 0; i < f.n; i++) {
         aabb b = first_triangle_box(f.tri[i]);
-        reach[0] += vaxis(b.lo, axis) <= t.root.plane, reach[1] += vaxis(b.hi, axis) >= t.root.plane;
+        reach[0] += vaxis(b.lo, axis) <= t.root.plane;
+        reach[1] += vaxis(b.hi, axis) >= t.root.plane;
     }
     check_equal(most, 176, "triangles in the larger, as 17's page says");
     check_equal(most, (int)fmax(reach[0], reach[1]), "as many reach into it");

@@ -15,7 +15,7 @@
 #endif
 #include <sys/resource.h>
 
-static int rule(const char *name) { return (int)(bvh_rule_find(name) - bvh_rules); }
+static int rule_number(const char *name) { return (int)(bvh_rule_find(name) - bvh_rules); }
 
 static bvh_options by_rule(int k, int leaf, double item_cost)
 {
@@ -405,9 +405,9 @@ static void test_heuristic(void)
     }
     mesh_free(&m);
     /* What minimises the cost at each cut need not have the least in the end, but not much more. */
-    double sah = cost[rule("sah")];
-    check_at_most(cost[rule("sweep")], 1.02 * sah, "the sweep is as good as the bins");
-    check_at_most(sah, 0.99 * cost[rule("median")], "the bins are better than the median");
+    double sah = cost[rule_number("sah")];
+    check_at_most(cost[rule_number("sweep")], 1.02 * sah, "the sweep is as good as the bins");
+    check_at_most(sah, 0.99 * cost[rule_number("median")], "the bins are better than the median");
 }
 
 /* All trees of a set, one by one: two of its members become one, in every way. */

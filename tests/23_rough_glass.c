@@ -24,10 +24,10 @@ static vec3 random_direction(uint64_t i, uint64_t which, bool below)
 /* The same surface from the other side. */
 static rough_glass turned(rough_glass g) { return (rough_glass){g.alpha, g.n2, g.n1}; }
 
-enum { specimens = 8 };
+enum { glasses = 8 };
 static rough_glass specimen(int i)
 {
-    static const double alpha[specimens] = {1, 0.5, 0.3, 0.1, 1, 0.5, 0.3, 0.1};
+    static const double alpha[glasses] = {1, 0.5, 0.3, 0.1, 1, 0.5, 0.3, 0.1};
     rough_glass g = {(real)alpha[i], 1, (real)1.5};
     return i < 4 ? g : turned(g);
 }
@@ -44,7 +44,7 @@ static void test_reciprocity(void)
 {
     double worst = 0;
     size_t some = 0;
-    for (int i = 0; i < specimens; i++)
+    for (int i = 0; i < glasses; i++)
         for (uint64_t k = 0; k < check_count(4000); k++) {
             rough_glass g = specimen(i), back = turned(g);
             bool through = k % 2;
@@ -120,7 +120,7 @@ static void test_weights(void)
 {
     double off = 0, most = 0;
     size_t through = 0, n = check_count(4000);
-    for (int i = 0; i < specimens; i++) {
+    for (int i = 0; i < glasses; i++) {
         rough_glass g = specimen(i);
         double power = (double)(g.n2 / g.n1 * (g.n2 / g.n1));
         for (uint64_t k = 0; k < n; k++) {
@@ -159,7 +159,7 @@ static double power_by_grid(const rough_glass *g, vec3 wo, int k)
 static void test_energy(void)
 {
     static const double cosine[3] = {1, 0.6, 0.25};
-    for (int i = 0; i < specimens; i++)
+    for (int i = 0; i < glasses; i++)
         for (int k = 0; k < 3; k++) {
             rough_glass g = specimen(i);
             vec3 wo = at_angle(cosine[k], 0.3), wi;

@@ -12,7 +12,7 @@ enum { most_depth = 40 };
 /* ---- scenes ---- */
 
 static const first_material matte = {.kd = {(real)0.5, (real)0.6, (real)0.7}};
-static const first_material mirror = {.mirror = {(real)0.9, (real)0.9, (real)0.9}};
+static const first_material silver = {.mirror = {(real)0.9, (real)0.9, (real)0.9}};
 static const first_material glass = {.ior = (real)1.5};
 static const first_material lamp = {.ke = {3, 2, 1}};
 
@@ -67,7 +67,7 @@ static first_scene scene_of(int which)
     if (which == BALL || which == FLOOR_BALL || which == LAMP_WALLS)
         first_add_ball(&s, c, 1, matte);
     if (which == MIRROR || which == LAMP_MIRROR || which == LAMP_FLOOR_MIRROR)
-        first_add_ball(&s, c, 1, mirror);
+        first_add_ball(&s, c, 1, silver);
     if (which == GLASS) first_add_ball(&s, c, 1, glass);
     return s;
 }
@@ -186,7 +186,7 @@ static void test_lamp_in_a_mirror(void)
         first_scene s = sky();
         vec3 a = vec(2, 0, 0), b = vec(0, 0, 2);
         first_add_flat(&s, vec(-1, 3, -1), back ? b : a, back ? a : b, lamp);
-        add_floor(&s, mirror);
+        add_floor(&s, silver);
         first_plan p = first_plan_of(&s);
         vec3 L = planned(&s, &p, ray_from(vec(-2, 2, 0), vunit(vec(1, -2, 0))), 0);
         check_close(L.x, back ? 0 : 3 * 0.9, 64 * (double)real_epsilon, "the lamp in a mirror, %s",

@@ -94,7 +94,7 @@ if [ -z "$shapes" ]; then ok; else no "bvh_mesh.h has only triangles and include
 
 # Each main.c names its compile command in line 2, the same for all. In a tree that holds only common/
 # and chapters/ the first is compiled by it, and run. With WHOLE=1 (.ci/run) the compiler reads every one there;
-# without, the Makefile's build has read them, and the includes above lie in those two folders.
+# without, the Makefile's build has read them, if not each alone, and the includes above lie in those two folders.
 mkdir "$scratch/alone" && cp -R common chapters "$scratch/alone"
 flags='-std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize'
 for main in chapters/*/main.c; do
@@ -111,12 +111,13 @@ for main in chapters/*/main.c; do
     then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; fi
 done
 
-# In float the Makefile leaves two warnings out, for first.h (see there): here all other files get them.
+# The Makefile builds many programs as one, where none notices what it forgot to include, and without -Wshadow; and in
+# float it leaves two warnings out, for first.h (see there). Here each file is read alone, with all warnings.
 if [ "${REAL:-double}" = float ]; then
     for c in chapters/*/main.c tests/*.c; do
-        ${CC:-cc} -std=c11 -fsyntax-only -Wconversion -Wdouble-promotion \
-            -Wno-float-conversion -Wno-implicit-float-conversion -Wno-enum-float-conversion -DREAL=float "$c" 2>&1  # x = 0.1 may round
-    done | grep 'warning:' | grep -v '/first\.h:' >"$scratch/widened"
+        ${CC:-cc} -std=c11 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion \
+            -Wno-float-conversion -Wno-implicit-float-conversion -Wno-enum-float-conversion -DREAL=float -DBUILD_FLAGS='""' "$c" 2>&1  # x = 0.1 may round
+    done | grep -E 'warning:|error:' | grep -v '/first\.h:.*warning:' >"$scratch/widened"
     if [ -s "$scratch/widened" ]; then no "float: $(head -n 5 "$scratch/widened")"; else ok; fi
 fi
 

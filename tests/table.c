@@ -3,15 +3,15 @@
 #include "child.h"
 #include "../common/lab/table.h"
 
-static char text[8192];
+static char said[8192];
 
 /* What a table prints, or its CSV. */
 static const char *printed(table *t, void (*print)(table *, FILE *))
 {
     FILE *out = tmpfile();
     print(t, out);
-    child_slurp(out, text, sizeof text);
-    return text;
+    child_slurp(out, said, sizeof said);
+    return said;
 }
 
 static void test_columns(void)

@@ -14,6 +14,7 @@
 #ifndef PLOT_H
 #define PLOT_H
 #include "../file.h"
+#include "../vec3.h"
 #include <math.h>
 
 enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 14, plot_most_slopes = 2 };

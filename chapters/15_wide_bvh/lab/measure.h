@@ -20,7 +20,7 @@
 #include "rungs.h"
 
 TRIAL_FIRST(first_wide, b->s = first_wide_build(&b->m))
-TRIAL_VERBS(bvh, bvh, bvh_hit, bvh_hit_counted)
+TRIAL_VERBS(two_wide, bvh, bvh_hit, bvh_hit_counted)
 TRIAL_VERBS(bvh8, bvh8, bvh8_hit, bvh8_hit_counted)
 TRIAL_OTHER(bvh8_one, bvh8, bvh8, bvh8_hit_one)
 TRIAL_OTHER(bvh8_any_order, bvh8, bvh8, bvh8_hit_any_order)
@@ -44,7 +44,7 @@ static inline void table_of_rungs(const options *o, const trial_scene *s)
     }
     trial_row row[] = {
         {.name = "first, four wide", &first_wide_trial, &first},
-        {.name = "14: two wide", &bvh_trial, &binary},
+        {.name = "14: two wide", &two_wide_trial, &binary},
         {.name = "four wide, one by one", &bvh8_one_trial, &four},
         {.name = "eight, one by one", &bvh8_one_trial, &how[0]},
         {.name = "eight boxes at once", &bvh8_any_order_trial, &how[0], .again = true},
@@ -166,7 +166,7 @@ static inline void table_of_cracks(const options *o)
     if (!bvh8_build(&x, bvh8_defaults, &w, &f) || !bvh_build(&x, bvh_defaults, &b2, &f)) fail(f);
     const struct { const char *name; crack_search *hit; const void *built; } list[ways] = {
         {"first, four wide", first_wide_trial.hit, &w4}, {"leaky", bvh8_leaky_trial.hit, &w},
-        {"watertight", bvh8_trial.hit, &w}, {"14: two wide", bvh_trial.hit, &b2},
+        {"watertight", bvh8_trial.hit, &w}, {"14: two wide", two_wide_trial.hit, &b2},
         {"brute force", crack_mesh, &m}};
     for (int i = 0; i < ways; i++) plot_series(&p, list[i].name);
     for (double away = 4; away < 1e7; away *= 500) {

@@ -30,7 +30,7 @@ static inline double knob_time(whitted_view *v, int rounds)
     return clock_median(seconds, rounds);
 }
 
-static const struct { int depth; double least; } knobs[] = {
+static const struct { int depth; double least; } depths_tried[] = {
     {1, 0},    {2, 0},    {3, 0},     {4, 0},     {5, 0},      {6, 0},      {8, 0},
     {12, 0},   {64, 0.5}, {64, 0.1},  {64, 0.03}, {64, 0.01},  {64, 0.001}, {64, 0.0001}};
 
@@ -52,16 +52,16 @@ static inline void table_of_depths(const options *o)
     f->w.depth = 64, f->w.least = 1e-10;
     measured_draw(&v, o->threads);
     v.im = &im;
-    for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++) {
-        f->w.depth = knobs[k].depth, f->w.least = (real)knobs[k].least;
+    for (size_t k = 0; k < sizeof depths_tried / sizeof *depths_tried; k++) {
+        f->w.depth = depths_tried[k].depth, f->w.least = (real)depths_tried[k].least;
         double ns = knob_time(&v, o->full ? 3 : 1) / ((double)w * h) * 1e9;
         image_difference d = image_compare(&im, &deep);
-        table_text(&t, knobs[k].least > 0 ? "cut" : "depth");
-        table_count(&t, (size_t)knobs[k].depth), table_number(&t, knobs[k].least);
+        table_text(&t, depths_tried[k].least > 0 ? "cut" : "depth");
+        table_count(&t, (size_t)depths_tried[k].depth), table_number(&t, depths_tried[k].least);
         for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++)
             table_number(&t, (double)v.counts.rays[i] / (w * h));
         table_number(&t, d.rmse), table_number(&t, d.maximum), table_number(&t, ns);
-        plot_add(&p, knobs[k].least > 0, ns, d.rmse);
+        plot_add(&p, depths_tried[k].least > 0, ns, d.rmse);
     }
     output_table(o, &t);
     output_plot(o, &p, "19_whitted_time.svg");
