@@ -109,7 +109,7 @@ MAKEFLAGS += -j$(JOBS)
 endif
 
 .PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
-# Programs that include much the same are built as one (together.sh), of which each is a copy: what they include is
+# Programs that include much the same are built as one (tests/together.sh), of which each is a copy: what they include is
 # compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself; it is
 # as quick, but for some hundredths. Those that take longest come first, else one core waits for them at the end.
 PARTS = structures paths light shapes

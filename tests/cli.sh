@@ -226,6 +226,13 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     no_part
     cd "$root" || exit 1
 done
+# What holds many of them (together.sh), called by a name that is none of theirs.
+cd "$scratch" || exit 1
+for name in shapes structures light paths; do
+    program=$BUILD/$name
+    if [ -x "$program" ]; then run 2 --help; says "knows by its name which of these it is: "; fi
+done
+cd "$root" || exit 1
 name=cli.sh
 if [ "$failed" -gt 0 ] || [ "$passed" -gt 0 ]; then :; else no "no program was found"; fi
 report

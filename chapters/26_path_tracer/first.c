@@ -13,7 +13,7 @@ int main(int argc, char **argv)
     bool given = argc > 1 && isdigit((unsigned char)argv[1][0]) && *end == 0;
     const char *path = picture_path_after(given, argc, argv, "26_path_tracer_first");
     failure f = {2, "samples a pixel: 1 to 65536"};
-    if (!given) N = 10;
+    if (!given) N = 25;
     if (N < 1 || N > most) fail(f);
 
     image im = image_new(side, side);

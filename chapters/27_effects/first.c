@@ -27,7 +27,7 @@ int main(int argc, char **argv)
     image im = image_new(scenes * width, height);
     for (int i = 0; i < scenes; i++) {
         first_plan p = first_plan_of(&scene[i]);
-        int n = p.on[first_bounces] || p.on[first_glass] ? 4 : 3;
+        int n = p.on[first_bounces] ? 6 : p.on[first_glass] ? 4 : 3;
         memset(first_rays, 0, sizeof first_rays);
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x++) {
