@@ -12,12 +12,7 @@ int main(int argc, char **argv)
     image im = image_new(width, height);
     first_scene s = first_two_balls();
     first_camera c = first_two_balls_camera(width, height);
-
-    /* Where the light of 19 was, a square at right angles to the way from there to the balls. */
-    vec3 at = s.light[0].p, down = vunit(vneg(at)), a, b;
-    vbasis(down, &a, &b);
-    first_lamp lamp = {vsub(at, vscale(vadd(a, b), 2)), vscale(a, 4), vscale(b, 4),
-                       vscale(s.light[0].intensity, 1 / 16.0)};
+    first_lamp lamp = first_two_balls_lamp(&s);
     first_add_flat(&s, lamp.corner, lamp.a, lamp.b, (first_material){.ke = lamp.L});
     s.thing[2].m.shine = 90;
 

@@ -57,4 +57,13 @@ static inline vec3 first_distributed(const first_scene *s, const first_lamp *lam
     } else return L;
     return vadd(L, vmul(weight, first_distributed(s, lamp, next, depth - 1, random)));
 }
+
+/* Where the light of 19 was, a square at right angles to the way from there to the balls. */
+static inline first_lamp first_two_balls_lamp(const first_scene *s)
+{
+    vec3 at = s->light[0].p, down = vunit(vneg(at)), a, b;
+    vbasis(down, &a, &b);
+    return (first_lamp){vsub(at, vscale(vadd(a, b), 2)), vscale(a, 4), vscale(b, 4),
+                        vscale(s->light[0].intensity, 1 / 16.0)};
+}
 #endif
