@@ -7,7 +7,7 @@
  *       LOOK_GLOSSY     lobes                           else perfect mirrors
  *       LOOK_SKY        ambient light can be hidden     else a constant
  *       LOOK_LENS       a lens of radius .22            else a pinhole
- *   distributed_view v = showroom_view(&k, SHOWROOM_ALL, aspect);   or a close-up for one effect
+ *   distributed_view v = showroom_view(&k, SHOWROOM_ALL, aspect);   or a close-up for gloss
  *
  * Ambient light and background are the same even sky, so what LOOK_SKY makes of it is right but
  * for the light that shapes reflect on each other.
@@ -19,7 +19,7 @@
 #include "../distributed.h"
 
 enum { LOOK_SOFT = 1, LOOK_GLOSSY = 2, LOOK_SKY = 4, LOOK_LENS = 8, LOOK_ALL = 15 };
-typedef enum { SHOWROOM_ALL, SHOWROOM_SOFT, SHOWROOM_GLOSSY, showroom_shots } showroom_shot;
+typedef enum { SHOWROOM_ALL, SHOWROOM_GLOSSY, showroom_shots } showroom_shot;
 enum { showroom_row = 9, showroom_shapes = 4 + showroom_row, showroom_parts = 3 };
 
 typedef struct {
@@ -138,8 +138,7 @@ static inline distributed_view showroom_view(const showroom_look *k, showroom_sh
                                              real aspect)
 {
     static const double look[showroom_shots][8] = {  /* from, to, degrees, focus */
-        {1.6, -15, 4.6, -0.4, 0, 1.15, 30, 14.4}, {1.6, -15, 4.6, 2.9, -2.7, 0.5, 13, 14.4},
-        {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4}};
+        {1.6, -15, 4.6, -0.4, 0, 1.15, 30, 14.4}, {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4}};
     const double *l = look[shot];
     distributed_view v = {.w = &k->w, .how = &k->how, .kind = SEQUENCE_SOBOL, .seed = 1};
     v.c = camera_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]), vec(0, 0, 1), (real)l[6], aspect);
