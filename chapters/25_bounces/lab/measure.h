@@ -9,6 +9,7 @@
 #ifndef BOUNCES_MEASURE_H
 #define BOUNCES_MEASURE_H
 
+#include "../../24_direct_light/scenes/lit_cornell.h"
 #include "measure_branches.h"
 #include "notes_shade.h"
 
