@@ -1,17 +1,19 @@
-/* 25's first.h: its terms against those of terms.h, and against a furnace; its
- * rays against (25.9). Fixed seeds; each comparison by chance alarms falsely once in 1e8 seeds. */
+/* 25's first.h: its terms against those of terms.h, and against a furnace; its rays against (25.9);
+ * the rows of the main table against its reference. Fixed seeds; each comparison by chance alarms
+ * falsely once in 1e8 seeds. */
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/25_bounces/first.h"
+#include "../chapters/25_bounces/lab/branch_trials.h"
 #include "../chapters/25_bounces/lab/series.h"
 #include "../chapters/25_bounces/terms.h"
 #include "check.h"
 
 static const double false_alarm = 1e-8;
 static const double sigmas = 5.8;
-enum { depth = 3 };
+enum { depth = 5, depth_of_two = 3 };  /* of N = 1, of N = 2: 63 rays a sample at 5 */
 
-/* ---- the Cornell box: E, K E, K^2 E, K^3 E, mean over the picture, red and blue ---- */
+/* ---- the Cornell box: E, K E, .. K^5 E, mean over the picture, red and blue ---- */
 
 typedef struct { estimate e[2][depth + 1]; } terms_seen;
 
@@ -34,7 +36,7 @@ static terms_seen by_first(int N, size_t n)
     first_scene s = first_cornell();
     memset(&t, 0, sizeof t);
     for (size_t i = 0; i < n; i++)
-        for (int k = 0; k <= depth; k++) {
+        for (int k = 0; k <= (N == 1 ? depth : depth_of_two); k++) {
             random_stream random;
             ray r = eye_ray(i, &random);
             random = random_start(2 + (uint64_t)N, i, (uint64_t)k);
@@ -72,7 +74,7 @@ static void test_terms(void)
     for (int N = 1; N <= 2; N++) {
         terms_seen first = by_first(N, n / (size_t)N);
         for (int j = 0; j < 2; j++)
-            for (int k = 0; k <= depth; k++) {
+            for (int k = 0; k <= (N == 1 ? depth : depth_of_two); k++) {
                 estimate a = first.e[j][k], b = lit.e[j][k];
                 if (N == 1 && k == 0) check_equal(a.mean, b.mean, "E, channel %d", j);
                 double error = hypot(estimate_error(a), estimate_error(b));
@@ -80,6 +82,59 @@ static void test_terms(void)
                 if (k) check_at_most(error, 16 / sqrt((double)n) * b.mean, "the noise of both");
             }
     }
+}
+
+/* ---- the main table ---- */
+
+/* Of terms.h's path: the rays that first.h sends, a path of its own for each term. Term k >= 1 has
+ * the first k rays of such a path, and all of them together as many rays to the lamp. */
+static double rays_apart(const trial_counts *w)
+{
+    size_t n = w->c.walk.rays[0] + w->c.direct.shadow;
+    for (int k = 1; k <= trial_bounces(trial_first); k++)
+        for (int j = 0; j < k; j++) n += w->c.walk.rays[j];
+    return (double)n;
+}
+
+/* All rows have the mean of the reference, which asks the lamp by its angle: all are unbiased, and
+ * Welch's test allows for the noise of both. Directions meet the lamp once in some hundred: fewer
+ * samples than these have no t. */
+static void test_rows(void)
+{
+    branch_survey *b = allocate(1, sizeof *b);
+    options o = {.seed = 7};
+    trials_begin(b, &o);
+    estimate truth[trial_depths] = {{0}}, rays[2] = {{0}};
+    uint64_t n = check_count(60000);
+    if (n < 30000) n = 30000;
+    for (uint64_t i = 0; i < n; i++) {
+        double sum[trial_depths];
+        sampler s = sampler_start(SEQUENCE_RANDOM, 8, i, 0, 1);
+        trial_truth(b, i % trial_pixels, &s, sum);
+        for (int j = 0; j < trial_depths; j++) truth[j] = estimate_add(truth[j], sum[j]);
+    }
+    for (int k = 0; k < trials; k++) {
+        estimate e = {0}, exact = truth[trial_depth_index(k)];
+        uint64_t few = k >= trial_terms ? n : trial_most_rays(k) > 1000 ? n / 20 : n / 2;
+        if (trial_most_rays(k) > 10000) continue;  /* N = 8, five bounces: some ms a sample */
+        for (uint64_t i = 0; i < few; i++) {
+            trial_counts w = {.first = 0};
+            size_t pixel = i % trial_pixels;
+            e = estimate_add(e, trial_sample(b, k, pixel, i, &w));
+            if (k == trial_terms) rays[0] = estimate_add(rays[0], rays_apart(&w));
+            if (k != trial_first) continue;
+            w.unsent = trial_unsent(b, trial_ray(b, pixel, branching_pair(b->seed, pixel, i, 0)),
+                                    pixel, i);
+            rays[1] = estimate_add(rays[1], (double)trial_rays_sent(&w));
+        }
+        check_at_least(welch_test(e, exact), false_alarm, "row %d: %g +- %g, reference %g +- %g", k,
+                       e.mean, estimate_error(e), exact.mean, estimate_error(exact));
+        if (k >= trial_terms)
+            check_at_most(estimate_error(e), 1.2 / sqrt((double)n) * exact.mean, "little noise");
+    }
+    check_at_least(welch_test(rays[0], rays[1]), false_alarm, "rays of first.h: %g, due %g",
+                   rays[1].mean, rays[0].mean);
+    trials_end(b), free(b);
 }
 
 /* ---- a closed room ---- */
@@ -189,7 +244,7 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    test_terms(), test_furnace();
+    test_terms(), test_rows(), test_furnace();
     test_rays(), test_sums();
     test_odd_input();
     return check_report("25_first");
