@@ -11,7 +11,8 @@
 
 static const double false_alarm = 1e-8;
 static const double sigmas = 5.8;
-enum { depth = 5, depth_of_two = 3 };  /* of N = 1, of N = 2: 63 rays a sample at 5 */
+/* With N = 1, with N = 2: at 5 bounces it would send 63 rays a sample. */
+enum { depth = 5, depth_of_two = 3 };
 
 /* ---- the Cornell box: E, K E, .. K^5 E, mean over the picture, red and blue ---- */
 
