@@ -17,6 +17,7 @@
 #include "../../../common/lab/report.h"
 #include "../plan.h"
 #include "draw.h"
+#include "six_first.h"
 #include <unistd.h>
 
 enum { six_count = 6, six_room = 2048, six_width = 240, six_height = 180 };
@@ -60,9 +61,9 @@ static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
     return studio_read(text, NULL, s, f);
 }
 
-/* One panel of w x h and its row; samples: of scenes of chance, of others. */
+/* One panel of w x h and its rows; samples: of scenes of chance, of others; first: or NULL. */
 static inline bool six_panel(const options *o, const six_scene *list, int k, int w, int h,
-                             const int samples[2], table *t, image *im)
+                             const int samples[2], table *t, table *first, image *im)
 {
     studio s;
     studio_view v;
@@ -80,6 +81,7 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     drawing all = j;
     all.width = w / 6, all.height = h / 6;
     bool whole = draw_image(&j, im, o->threads);
+    if (whole && first) first_row(first, list[k].name, &s, &v, &j, im);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
     whole = whole && draw_image(&all, &small, o->threads);
     for (int i = 0; i < effect_kinds; i++)
@@ -104,7 +106,8 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
 
 /* Panels of w pixels, so many across; the table is left to the caller. False: stopped. */
 static inline bool six_draw(const options *o, const six_scene *list, int n, int across, int w,
-                            const int samples[2], const char *file, bool is_main, table *t)
+                            const int samples[2], const char *file, bool is_main, table *t,
+                            table *first)
 {
     int h = w * six_height / six_width;
     const char *title[six_count];
@@ -113,7 +116,7 @@ static inline bool six_draw(const options *o, const six_scene *list, int n, int 
     for (int k = 0; k < n; k++) title[k] = list[k].title;
     for (int k = 0; k < n && whole; k++) {
         image im;
-        whole = six_panel(o, list, k, w, h, samples, t, &im);
+        whole = six_panel(o, list, k, w, h, samples, t, first, &im);
         image_place(&sheet, k % across * w, k / across * h, &im);
         image_free(&im);
     }
@@ -134,7 +137,7 @@ static inline bool draw_two(const options *o)
     if (access(six_scenes, R_OK) != 0) return true;
     table t = six_table("Two scenes, two plans");
     bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4},
-                          "27_effects_two.png", false, &t);
+                          "27_effects_two.png", false, &t, NULL);
     if (whole) output_extra_table(o, &t);
     else table_free(&t);
     return whole;
@@ -143,11 +146,13 @@ static inline bool draw_two(const options *o)
 cold_inline bool draw_six(const options *o, bool fine)
 {
     table t = six_table("Six scenes, each a line longer: what is called for, and everything");
+    table own = first_table("The same scenes by the short book's plan, first.h");
+    table *first = fine ? NULL : &own;
     bool whole = six_draw(o, six_list, six_count, 3, o->quick ? six_width / 4 : six_width,
                           fine ? (const int[2]){128, 32} : (const int[2]){16, 4},
-                          fine ? "27_effects_six.png" : "27_effects.png", !fine, &t);
-    if (whole && !fine) output_table(o, &t);
-    else table_free(&t);
+                          fine ? "27_effects_six.png" : "27_effects.png", !fine, &t, first);
+    if (whole && !fine) output_table(o, &t), output_extra_table(o, first);
+    else table_free(&t), table_free(&own);
     return whole;
 }
 
