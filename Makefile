@@ -110,8 +110,8 @@ endif
 
 .PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
 # Programs that include much the same are built as one (tests/together.sh), of which each is a copy: what they include is
-# compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself; it is
-# as quick, but for some hundredths. Those that take longest come first, else one core waits for them at the end.
+# compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself: that
+# is as quick on average, and up to a tenth off. Those that take longest come first, else one core waits at the end.
 PARTS = structures paths light shapes
 PART_structures = $(filter-out 18_% 19_%,$(filter 1%,$(CHAPTERS)))
 PART_paths = $(filter 24_% 25_% 26_% 27_%,$(CHAPTERS))

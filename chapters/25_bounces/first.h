@@ -5,7 +5,7 @@
 #define FIRST_BOUNCES_H
 #include "../24_direct_light/first.h"
 
-static long first_bounce_rays;  /* sent since the program began, to the lamp too */
+static long first_bounce_rays;  /* since the program began; to the lamp, too, faces it x or not */
 
 /* K^k E as seen along r: light that was reflected k times on its way from the lamp (thing 0) to the
  * eye. K takes the light that leaves all surfaces to what they reflect of it: each hit sends N rays

@@ -85,7 +85,7 @@ static inline void picture_measure(const options *o, distributed_view v,
 
 static inline void table_of_pictures(const options *o)
 {
-    enum { effects = 4 };
+    enum { effects = 4, mirror = 1 };
     static const char *const names[effects] = {"soft shadow", "blurred mirror", "motion",
                                                "all others"};
     int levels = measure_levels - o->quick;
@@ -113,11 +113,12 @@ static inline void table_of_pictures(const options *o)
             const char *method = m == picture_first ? "first" : sequence_name[picture_method[m]];
             char name[64];
             snprintf(name, sizeof name, "%s, %s", names[e], method);
-            int series = plot_series(&time, name);
+            int series = e == mirror ? -1 : plot_series(&time, name);
             table_text(&t, "%s", names[e]), table_text(&t, "%s", method);
             for (int l = 0; l < measure_levels; l++)
                 if (l < levels) {
                     table_number(&t, p[m].error[l]);
+                    if (series < 0) continue;  /* its curves lie on those of the shadow */
                     plot_add(&time, series, (1 << 2 * l) * 1e3 * p[m].seconds, p[m].error[l]);
                 } else table_text(&t, "-");
             table_number(&t, p[m].slope.mean), table_number(&t, estimate_error(p[m].slope));
