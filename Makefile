@@ -108,6 +108,8 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
+# Else the first rule, which the template below makes.
+.DEFAULT_GOAL := all
 .PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
 # Programs that include much the same are built as one (tests/together.sh), of which each is a copy: what they include is
 # compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself: that

@@ -125,6 +125,10 @@ fi
 # shellcheck disable=SC2016  # $(..) is of make
 bare=$(grep -n '^	.*[^"]$(\(CURDIR\|abspath\)' Makefile)
 if [ -z "$bare" ]; then ok; else no "Makefile: a path without quotes: $bare"; fi
+# `make` alone builds the programs: it once made the first target of a template instead, and said nothing.
+make -n all BUILD=build/none >"$scratch/all" 2>&1; make -n BUILD=build/none >"$scratch/default" 2>&1
+if grep -q build/none/27_effects "$scratch/all" && cmp -s "$scratch/all" "$scratch/default"
+then ok; else no "make alone is not make all: $(head -n 2 "$scratch/default")"; fi
 for wrong in BUILD= BUILD=/ 'BUILD=a b' REAL=long; do
     if make -n "$wrong" help >/dev/null 2>&1; then no "make takes $wrong"; else ok; fi
 done
