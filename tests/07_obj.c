@@ -245,6 +245,33 @@ static void test_numbers(void)
     check(!number_of(many, &x), "a number of 4199 characters is refused");
 }
 
+/* w / 10^k bit for bit as strtod: where both are doubles (w < 2^53, k <= 22), and beyond. */
+static void test_nearest(void)
+{
+    size_t n = check_count(200000), wrong = 0;
+    double x;
+    for (size_t i = 0; i < n; i++) {
+        char digits[64], text[80];
+        uint64_t w = (1ull << 53) - 8 + below(17);
+        if (below(2)) w = random_next_bits(&rng) >> below(64);
+        int k = (int)below(26);
+        int all = snprintf(digits, sizeof digits, "%0*llu", k + 1, (unsigned long long)w);
+        snprintf(text, sizeof text, "%s%.*s.%s", below(2) ? "-" : "", all - k, digits,
+                 digits + all - k);
+        double due = strtod(text, NULL);
+        const char *stop = decimal_read(text, &x);
+        wrong += !stop || *stop || memcmp(&x, &due, sizeof x) != 0;
+    }
+    check_equal(wrong, 0, "of %zu numbers, not the nearest double", n);
+    static const struct { const char *text, *rest; double x; } part[] = {
+        {"0x1", "x1", 0}, {"1e", "e", 1}, {"-1e+ 2", "e+ 2", -1}, {"1.5.5", ".5", 1.5}};
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+        const char *stop = decimal_read(part[i].text, &x);
+        check(stop && strcmp(stop, part[i].rest) == 0 && x == part[i].x, "of %s", part[i].text);
+    }
+    check(!decimal_read("-.e5", &x) && !decimal_read(" 1", &x) && !decimal_read("inf", &x), "none");
+}
+
 /* ---- what is read, by hand ---- */
 
 static bool same_names(const mesh *m, const char *const *name)
@@ -266,7 +293,7 @@ static void test_features(void)
         "vn 0 0 2\nvt 0\nvt 0 0\nvt 0 0 0\nf 1 2 3\n"
         "usemtl unused\nusemtl red hot \t\n"
         "f 1/1/1 2/3/-1 3//1 -1\n"
-        "usemtl blue\ng x\nl 1 2\nf 3 2 1\n"
+        "usemtl blue\ng x\nuse x\nl 1 2\nf 3 02 001\n"
         "#\\\nf -4 6 5\nv 5 5 5\nv 6 6 6", &m, &f), "all features: %s", f.text);
     const uint32_t index[] = {0, 1, 2, 0, 1, 2, 0, 2, 3, 2, 1, 0, 0, 5, 4},
                    normal[] = {none, none, none, 0, 0, 0, 0, 0, none, none, none, none, none, none,
@@ -325,8 +352,8 @@ static void test_errors(void)
         {V3 "f 1 2 3\nf 1 2 4\nf 1 2 3\n",
          "t.obj:5: f: vertex index out of range: 4, allowed: up to 3"},
         {V3 "f 1 2 3\nf 1 2 4\nf 1 4 3\n", "t.obj:5: f: vertex"},
-        {V3 "f 1 2 99999999999999999999\n",
-         "t.obj:4: f: vertex index out of range: '99999999999999999999'"},
+        {V3 "f 1 2 18446744073709551617\n",
+         "t.obj:4: f: vertex index out of range: '18446744073709551617'"},  /* 2^64 + 1 */
         {V3 "f 1 2 4294967296\n", "t.obj:4: f: vertex index out of range"},
         {V3 "f 1 2 -4294967295\n", "t.obj:4: f: vertex index out of range"},
         {V3 "vt 0 0\nf 1/1 2/2 3/1\n",
@@ -742,6 +769,7 @@ int main(void)
     test_endless();
     rng = random_start(7, 0, 0);
     test_numbers();
+    test_nearest();
     test_features();
     test_errors();
     test_read_error();

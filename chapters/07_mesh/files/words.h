@@ -23,11 +23,8 @@ enum { word_longest_path = 4096 };
 
 static inline bool word_is_number(text_reader *t)
 {
-    if (!text_more(t)) return false;
-    const char *p = t->p;
-    p += *p == '-' || *p == '+';
-    p += *p == '.';
-    return decimal_digit(*p);
+    double x;
+    return text_more(t) && decimal_read(t->p, &x);
 }
 
 static inline bool word_take(text_reader *t, const char *word)
