@@ -167,8 +167,9 @@ static inline void text_skip(text_reader *r)
 
 static inline bool text_is(const text_reader *r, const char *keyword)
 {
-    size_t n = strlen(keyword);
-    return strncmp(r->p, keyword, n) == 0 && text_ends_token(r->p[n]);
+    const char *p = r->p;
+    while (*keyword && *p == *keyword) p++, keyword++;
+    return !*keyword && text_ends_token(*p);
 }
 
 /* The name stays where it is until the next call of anything here. */

@@ -136,7 +136,7 @@ static inline bool obj_index(obj_reader *r, obj_kind *kind, uint32_t *out)
     p += backwards;
     uint64_t i = 0;
     if (!decimal_digit(*p)) return text_bad(&r->text, start, "not an index:", obj_corner_form);
-    for (; decimal_digit(*p); p++) i = i <= UINT32_MAX ? 10 * i + (uint64_t)(*p - '0') : i;
+    for (; decimal_digit(*p) && i <= UINT32_MAX; p++) i = 10 * i + (uint64_t)(*p - '0');
     if (i == 0 || i > r->most || (backwards && i > kind->count))
         return obj_out_of_range(r, start, kind);
     if (!backwards && i > kind->count && i > kind->greatest) {
