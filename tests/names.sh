@@ -68,6 +68,7 @@ defined() {
             if (name == "") below = 1; else said("type", name, 0); next }
         below { below = 0; name = $1; sub(/;.*/, "", name); said("type", name, 0); next }
         /^} [a-z_0-9]+;/ { name = $2; sub(/;.*/, "", name); said("type", name, 0) }
+        /^(struct|union) [a-z_0-9]+ *[{]/ { name = $2; sub(/[{].*/, "", name); said("type", name, 0) }
         /^((__attribute__.* )?static|[a-z]+_inline) (inline |_Noreturn |__attribute__[^ ]* )*[a-zA-Z_]/ && /^[^=]*\(/ {
             name = $0; sub(/__attribute__\(\([^)]*\)\)/, "", name); sub(/__attribute__\(\([^)]*\([^)]*\)\)\)/, "", name)
             rest = name; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name); sub(/^[^(]*\(/, "", rest)
@@ -83,6 +84,13 @@ clashes() {
           if (seen[key, $4]++) next
           files[key] = files[key] " " $4; n[key]++ }
         END { for (key in n) if (n[key] > 1) print key ":" files[key] }' | sort
+}
+
+# bare: from "kind name n file": guards of one word (SPHERE_H), of which a chapter has one, its concept's
+bare() {
+    awk '$1 == "guard" && $2 ~ /^[A-Z0-9]+_H$/ && match($4, /chapters\/[^\/]*\//) {
+             c = substr($4, RSTART, RLENGTH); n[c]++; said[c] = said[c] " " $2 }
+         END { for (c in n) if (n[c] > 1) print c ":" said[c] }'
 }
 
 # promises DIR DEFINED: calls in contracts of what does not exist, or takes another number of arguments
@@ -109,10 +117,12 @@ defined . >"$scratch/defined"
 if [ "$(wc -l <"$scratch/defined")" -gt 1000 ]; then ok; else no "hardly a name was found"; fi
 clashes <"$scratch/defined" >"$scratch/clashes"
 if [ -s "$scratch/clashes" ]; then no "defined by two headers: $(cat "$scratch/clashes")"; else ok; fi
+bare <"$scratch/defined" >"$scratch/bare"
+if [ -s "$scratch/bare" ]; then no "guards without the chapter's prefix: $(cat "$scratch/bare")"; else ok; fi
 promises . "$scratch/defined" >"$scratch/promises"
 if [ -s "$scratch/promises" ]; then no "contracts: $(cat "$scratch/promises")"; else ok; fi
 
-# Both rules see what they are there to see, and no more: guard, type, function, draw, thing_kind, a_few and a_most clash.
+# Both rules see what they are there to see, and no more: guard, type, tag, function, draw, thing_kind, a_few and a_most clash.
 mkdir -p "$scratch/tree/common" "$scratch/tree/chapters/01_a/lab" "$scratch/tree/chapters/02_b/lab"
 cat >"$scratch/tree/chapters/01_a/a.h" <<'END'
 /* a.h: a thing.
@@ -120,6 +130,8 @@ cat >"$scratch/tree/chapters/01_a/a.h" <<'END'
 #ifndef A_H
 typedef struct { int x; } thing;
 typedef struct { int x; } __attribute__((aligned(64))) thing_kind;
+typedef struct { int x; } thing_tag;
+#ifndef C_H
 enum { a_few = 3, a_most = MOST(a_few, own) };  /* not enum { in_a_comment, */
 static inline thing thing_make(int x,
                                int y) { return (thing){x + y}; }
@@ -138,11 +150,13 @@ typedef enum {
 typedef struct { enum { B_SMALL, MOST = (B_COMMA, X) } size; b_kind x, y; }
     thing_kind;
 static inline int helper(void) { return 0; }
+struct thing_tag { int x; };
 static inline void draw(int own) { (void)own; }
 END
 seen=$(defined "$scratch/tree" | tee "$scratch/planted" | clashes | wc -l)
-if [ "$seen" -eq 7 ]; then ok; else no "7 clashes were planted, $seen seen"; fi
+if [ "$seen" -eq 8 ]; then ok; else no "8 clashes were planted, $seen seen"; fi
 if [ "$(grep -c '^enumerator' "$scratch/planted")" -eq 8 ]; then ok; else no "8 enumerators were planted"; fi
+if [ "$(bare <"$scratch/planted")" = "chapters/01_a/: A_H C_H" ]; then ok; else no "two bare guards were planted"; fi
 seen=$(promises "$scratch/tree" "$scratch/planted" | wc -l)
 if [ "$seen" -eq 3 ]; then ok; else no "3 false promises were planted, $seen seen"; fi
 

@@ -14,8 +14,8 @@
  *   if (affine_inverse(t, &to_object)) ...          false if t flattens space
  *   ray inside = affine_ray(to_object, r);          affine_point, affine_vector: M p + o, M d
  */
-#ifndef AFFINE_H
-#define AFFINE_H
+#ifndef RAY_AFFINE_H
+#define RAY_AFFINE_H
 
 #include "ray.h"
 

@@ -11,8 +11,8 @@
  *
  * Coordinates up to items_most, 1e75 (1e9 in float), are taken: areas and volumes stay finite.
  */
-#ifndef ITEMS_H
-#define ITEMS_H
+#ifndef AABB_ITEMS_H
+#define AABB_ITEMS_H
 
 #include "../07_mesh/scene.h"
 #include "structure.h"

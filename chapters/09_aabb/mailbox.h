@@ -15,8 +15,8 @@
  * Sources: Amanatides, Woo 1987 (see 10: walk.h), section 3; C. Benthin, "Realtime Ray Tracing on
  * Current CPU Architectures", PhD thesis, Saarland University, 2006 (a hashed table of one ray).
  */
-#ifndef MAILBOX_H
-#define MAILBOX_H
+#ifndef AABB_MAILBOX_H
+#define AABB_MAILBOX_H
 
 #include "items.h"
 

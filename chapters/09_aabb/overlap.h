@@ -25,8 +25,8 @@
  * triangle once); J. Arvo, "A Simple Method for Box-Sphere Intersection Testing", Graphics Gems,
  * 1990.
  */
-#ifndef OVERLAP_H
-#define OVERLAP_H
+#ifndef AABB_OVERLAP_H
+#define AABB_OVERLAP_H
 
 #include "items.h"
 

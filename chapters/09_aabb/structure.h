@@ -36,8 +36,8 @@
  *      (One kind is left out: a polygon whose corners are farther off their plane than 32 eps of
  *      its size, seen edge-on. Its picture may cross itself, and the hit is only within its hull.)
  */
-#ifndef STRUCTURE_H
-#define STRUCTURE_H
+#ifndef AABB_STRUCTURE_H
+#define AABB_STRUCTURE_H
 
 #include "../../common/file.h"
 #include "../01_ray/hit.h"

@@ -9,8 +9,8 @@
  *
  *   bool grid_search_far(&g, ask, r, any, &h, &work)      ask: grid_ask, or nested_ask
  */
-#ifndef FAR_H
-#define FAR_H
+#ifndef GRID_FAR_H
+#define GRID_FAR_H
 
 #include "build.h"
 

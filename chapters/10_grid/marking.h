@@ -18,8 +18,8 @@
  * bounds overlap is halved until a block is not touched, or is one cell. So the cost is about that
  * of the cells that are touched, not of the block.                                       (10.6)
  */
-#ifndef MARKING_H
-#define MARKING_H
+#ifndef GRID_MARKING_H
+#define GRID_MARKING_H
 
 #include "../09_aabb/overlap.h"
 #include "walk.h"

@@ -20,8 +20,8 @@
  * 1989; J. Kalojanov, M. Billeter, P. Slusallek, "Two-Level Grids for Ray Tracing on GPUs",
  * Computer Graphics Forum 30(2), 2011 (two levels, flat arrays).
  */
-#ifndef NESTED_H
-#define NESTED_H
+#ifndef GRID_NESTED_H
+#define GRID_NESTED_H
 
 #include "grid.h"
 

@@ -30,8 +30,8 @@
  * space subdivision", The Visual Computer 4, 1988; J. Amanatides, A. Woo, "A Fast Voxel Traversal
  * Algorithm for Ray Tracing", Eurographics 1987 (both add, as lab/naive.h; here it is counted).
  */
-#ifndef WALK_H
-#define WALK_H
+#ifndef GRID_WALK_H
+#define GRID_WALK_H
 
 #include "../09_aabb/items.h"
 #include <stddef.h>

@@ -21,8 +21,8 @@
  * Source: T. Ize, I. Wald, S. G. Parker, "Ray Tracing with the BSP Tree", IEEE Symposium on
  * Interactive Ray Tracing 2008, section 4.
  */
-#ifndef CELL_H
-#define CELL_H
+#ifndef BSP_CELL_H
+#define BSP_CELL_H
 
 #include "../../common/file.h"
 #include "side.h"

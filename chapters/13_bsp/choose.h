@@ -24,8 +24,8 @@
  * 2008 (see cell.h): slanted planes by cost, planes through edges; R. Kammaje, B. Mora, "A Study of
  * Restricted BSP Trees for Ray Tracing", IEEE Symposium on Interactive Ray Tracing 2007.
  */
-#ifndef CHOOSE_H
-#define CHOOSE_H
+#ifndef BSP_CHOOSE_H
+#define BSP_CHOOSE_H
 
 #include "fragment.h"
 #include "../../common/random.h"

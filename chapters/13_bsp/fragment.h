@@ -12,8 +12,8 @@
  *
  * Coordinates: q = (p - middle) / scale, the middle of all and a power of two: |q_k| <= size <= 1.
  */
-#ifndef FRAGMENT_H
-#define FRAGMENT_H
+#ifndef BSP_FRAGMENT_H
+#define BSP_FRAGMENT_H
 
 #include "../09_aabb/items.h"
 #include "cell.h"

@@ -32,8 +32,8 @@
  * Computer-Generated Images to Visual Simulation", AFHRL-TR-69-14, 1969 (the idea); M. Paterson,
  * F. Yao 1990 (see choose.h).
  */
-#ifndef PAINTER_H
-#define PAINTER_H
+#ifndef BSP_PAINTER_H
+#define BSP_PAINTER_H
 
 #include "../../common/random.h"
 #include "fragment.h"

@@ -34,8 +34,8 @@
  * Generation by A Priori Tree Structures", SIGGRAPH 1980; I. Sutherland, G. Hodgman, "Reentrant
  * Polygon Clipping", CACM 17(1), 1974 (clip); C.-P. Jeannerod et al. 2013 (see vec3.h).
  */
-#ifndef SIDE_H
-#define SIDE_H
+#ifndef BSP_SIDE_H
+#define BSP_SIDE_H
 
 #include "../04_triangle/triangle.h"
 #include <stddef.h>

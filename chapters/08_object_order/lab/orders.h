@@ -11,8 +11,8 @@
  * A pixel of another triangle is explained if a ray a step of 2^-bits beside its middle hits the
  * triangle that was drawn, or at the same t: an edge passes within the step.
  */
-#ifndef ORDERS_H
-#define ORDERS_H
+#ifndef RASTER_ORDERS_H
+#define RASTER_ORDERS_H
 
 #include "../../../common/headlight.h"
 #include "../../../common/parallel.h"

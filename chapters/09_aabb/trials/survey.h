@@ -9,8 +9,8 @@
  *
  * hits: one for each ray of s, hit_none where there is none; any structure may have found them.
  */
-#ifndef SURVEY_H
-#define SURVEY_H
+#ifndef AABB_SURVEY_H
+#define AABB_SURVEY_H
 
 #include "../../../common/clock.h"
 #include "../../../common/random.h"
