@@ -110,6 +110,8 @@ endif
 
 # Else the first rule, which the template below makes.
 .DEFAULT_GOAL := all
+# A compiler or linker that was ended in the midst leaves a file that is newer than its sources.
+.DELETE_ON_ERROR:
 .PHONY: all run full tax images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
 # Programs that include much the same are built as one (tests/together.sh), of which each is a copy: what they include is
 # compiled once, which halves the compiler's time. `make build/14_bvh` and `make run-14` build a program by itself: that
@@ -132,9 +134,10 @@ $(1): $(1).c $(STAMP)
 	$(if $(V),,@echo "CC $(3)")
 	$(Q)$(CC) -I. $(2) -Wno-shadow -MMD -MP -MF $$@.d -MT "$$@ $(3:%=$(dir $(1))%)" -o $$@ $$< $(LDLIBS)
 endef
-# $(call copies,PARTS): those of their programs that are older than the part
-copies = $(foreach p,$(1),for c in $(PART_$(p)); do \
-  [ $(BUILD)/$$c -nt $(BUILD)/$(p) ] || cp -f $(BUILD)/$(p) $(BUILD)/$$c || exit 1; done;)
+# $(call copies,PARTS): those of their programs that are older than the part. A half copy (an interrupt, a full disk)
+# would be newer, and stay; so it has another name until it is whole.
+copies = $(foreach p,$(1),for c in $(PART_$(p)); do [ $(BUILD)/$$c -nt $(BUILD)/$(p) ] || \
+  { cp $(BUILD)/$(p) $(BUILD)/$$c.new && mv -f $(BUILD)/$$c.new $(BUILD)/$$c; } || exit 1; done;)
 $(foreach p,$(PARTS),$(eval $(call together,$(BUILD)/$(p),$(ALL_CFLAGS),$(PART_$(p)))))
 $(foreach p,$(FIRST_PARTS),$(eval $(call together,$(BUILD)/$(p),$(ALL_FIRST_CFLAGS),$(PART_$(p)))))
 .PHONY: firsts

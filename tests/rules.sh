@@ -117,6 +117,7 @@ for main in chapters/*/main.c; do
     if (cd "$scratch/alone" && sh -c "$command" >/dev/null) 2>"$scratch/err"
     then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; fi
 done
+name=
 
 # The Makefile builds many programs as one, where none notices what it forgot to include, and without -Wshadow; and in
 # float it leaves two warnings out, for first.h (see there). Here each file is read alone, with all warnings.
@@ -138,6 +139,26 @@ if grep -q build/none/27_effects "$scratch/all" && cmp -s "$scratch/all" "$scrat
 then ok; else no "make alone is not make all: $(head -n 2 "$scratch/default")"; fi
 for wrong in BUILD= BUILD=/ 'BUILD=a b' REAL=long; do
     if make -n "$wrong" help >/dev/null 2>&1; then no "make takes $wrong"; else ok; fi
+done
+# What was only half written, by a compiler or a cp that was ended in the midst, is made again by the next `make`.
+mkdir "$scratch/bin"
+cat >"$scratch/bin/half" <<'END'
+while [ $# -gt 1 ]; do [ "$1" != -o ] || out=$2; shift; done  # cp: the last of all
+echo half >"${out:=$1}"; [ ! -e "$0.now" ] || exit 1; echo whole >>"$out"
+END
+printf '#!/bin/sh\n. "%s/bin/half"\n' "$scratch" | tee "$scratch/bin/cp" >"$scratch/bin/cc"
+chmod +x "$scratch/bin/cp" "$scratch/bin/cc"
+for tool in cc cp; do
+    touch "$scratch/bin/$tool.now"
+    for status in 1 0; do
+        (unset MAKEFLAGS MAKELEVEL; ASKED=$scratch/bin/cc PATH=$scratch/bin:$PATH \
+            make CC="$scratch/bin/cc" BUILD="$scratch/half" all firsts) >"$scratch/said" 2>&1 && got=0 || got=1
+        if [ "$got" -eq $status ]; then ok; else no "half a $tool: make ended with $got: $(tail -n 3 "$scratch/said")"; fi
+        rm -f "$scratch/bin/$tool.now"
+    done
+    cut=$(grep -slx half "$scratch"/half/* | xargs grep -Lx whole)
+    if [ -z "$cut" ]; then ok; else no "half a $tool was taken for whole: $cut"; fi
+    rm -r "$scratch/half"
 done
 
 # Each room of common/ has its cap: what is shared stays small.
