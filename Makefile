@@ -108,6 +108,12 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
+# So the makes that this one calls: as many, unless a -j of its own hands out the turns already.
+J = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
+ifdef ONE_BY_ONE
+.NOTPARALLEL:
+endif
+
 # Else the first rule, which the template below makes.
 .DEFAULT_GOAL := all
 # A compiler or linker that was ended in the midst leaves a file that is newer than its sources.
@@ -178,8 +184,8 @@ FORCE:
 # Two at a time, or as many as there are cores; 17 measures time, and runs alone.
 first:
 	@echo "== the short book"
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) firsts
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(addprefix first-,$(filter-out 17_compare,$(FIRSTS)))
+	$(Q)$(MAKE) --no-print-directory $(J) firsts
+	$(Q)$(MAKE) --no-print-directory $(J) $(addprefix first-,$(filter-out 17_compare,$(FIRSTS)))
 	$(Q)$(MAKE) --no-print-directory $(addprefix first-,$(filter 17_compare,$(FIRSTS)))
 $(FIRSTS:%=first-%): first-%: $(BUILD)/%_first
 	$(Q)$(BUILD)/$*_first
@@ -192,11 +198,11 @@ $(foreach n,$(FIRST_NUMBERS),$(eval $(call first_number,$(n))))
 
 # All cores build, then the programs run one by one: they measure time.
 run: first
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
-	$(Q)$(MAKE) --no-print-directory -j1 $(CHAPTERS:%=run-%)
+	$(Q)$(MAKE) --no-print-directory $(J) all
+	$(Q)$(MAKE) --no-print-directory ONE_BY_ONE=yes $(CHAPTERS:%=run-%)
 full:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
-	$(Q)$(MAKE) --no-print-directory -j1 $(CHAPTERS:%=full-%)
+	$(Q)$(MAKE) --no-print-directory $(J) all
+	$(Q)$(MAKE) --no-print-directory ONE_BY_ONE=yes $(CHAPTERS:%=full-%)
 $(CHAPTERS:%=run-%): run-%: $(BUILD)/%
 	@echo; echo "== $*"
 	$(Q)$(BUILD)/$*
@@ -267,8 +273,8 @@ pages: all $(if $(FULL),$(if $(filter 27_effects,$(BRIEF)),,$(BUILD)/27_tax))
 	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" BRIEF="$(BRIEF)" KEEP="$(KEEP)" sh tests/pages.sh
 
 precision:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float all
+	$(Q)$(MAKE) --no-print-directory $(J) BUILD=$(BUILD)/double REAL=double all
+	$(Q)$(MAKE) --no-print-directory $(J) BUILD=$(BUILD)/float REAL=float all
 	@BUILD="$(BUILD)" sh tests/precision.sh $(CHAPTERS)
 
 graph:
@@ -279,15 +285,15 @@ $(BUILD)/hard_cases: tests/hard/cases.c $(STAMP)
 	$(if $(V),,@echo "CC tests/hard/cases")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 hard-cases:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double $(BUILD)/double/hard_cases
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
+	$(Q)$(MAKE) --no-print-directory $(J) BUILD=$(BUILD)/double REAL=double $(BUILD)/double/hard_cases
+	$(Q)$(MAKE) --no-print-directory $(J) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
 # Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error. For notes some print all
 # their tables, as the ledger has numbers of these, and times, of which it has none, are taken once.
 TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
 csv:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
+	$(Q)$(MAKE) --no-print-directory $(J) all
 	@mkdir -p $(BUILD)/csv && ln -sfn "$(CURDIR)/chapters" $(BUILD)/csv/chapters
 	@for c in $(TABLED); do case " $(WHOLE) " in *" $$c "*) full=--full ;; *) full= ;; esac; \
 	  echo "$$c $$full --csv"; \
@@ -368,7 +374,7 @@ tidy:
 .PHONY: valgrind
 VALGRIND = $(if $(filter command line,$(origin TESTS)),$(TESTS),07_mesh 13_painter 14_build 14_bvh vec3)
 valgrind:
-	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/valgrind CFLAGS=-O1 $(VALGRIND:%=$(BUILD)/valgrind/test_%)
+	$(Q)$(MAKE) --no-print-directory $(J) BUILD=$(BUILD)/valgrind CFLAGS=-O1 $(VALGRIND:%=$(BUILD)/valgrind/test_%)
 	@for t in $(VALGRIND); do CHECK_DIVISOR=200 valgrind -q --error-exitcode=9 --leak-check=full \
 	  --errors-for-leak-kinds=definite $(BUILD)/valgrind/test_$$t || exit 1; done
 

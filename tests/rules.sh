@@ -137,6 +137,10 @@ if [ -z "$bare" ]; then ok; else no "Makefile: a path without quotes: $bare"; fi
 make -n all BUILD=build/none >"$scratch/all" 2>&1; make -n BUILD=build/none >"$scratch/default" 2>&1
 if grep -q build/none/27_effects "$scratch/all" && cmp -s "$scratch/all" "$scratch/default"
 then ok; else no "make alone is not make all: $(head -n 2 "$scratch/default")"; fi
+# A make that another calls takes its turns from the -j of that one. Of a -j of its own it warns, as did `make -j4 run`.
+(unset MAKEFLAGS MAKELEVEL; for j in '' -j3; do make $j -n run full csv hard-cases precision BUILD=build/none; done) \
+    2>&1 | grep warning: >"$scratch/warned"
+if [ -s "$scratch/warned" ]; then no "make -j3 run: $(head -n 1 "$scratch/warned")"; else ok; fi
 for wrong in BUILD= BUILD=/ 'BUILD=a b' REAL=long; do
     if make -n "$wrong" help >/dev/null 2>&1; then no "make takes $wrong"; else ok; fi
 done
