@@ -262,7 +262,8 @@ test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
-soak: $(TESTS:%=$(BUILD)/test_%) firsts all
+# With MINUTES soak.sh builds each test anew, with other random numbers.
+soak: $(if $(MINUTES),,$(TESTS:%=$(BUILD)/test_%)) firsts all
 	$(if $(MINUTES),,$(Q)$(MAKE) --no-print-directory pages FULL=1)
 	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
 	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
