@@ -24,17 +24,13 @@
 #ifndef EFFECTS_STUDIO_H
 #define EFFECTS_STUDIO_H
 
+#include "../07_mesh/files/mtl.h"
 #include "../16_instances/placing.h"
 #include "../18_shade/leave.h"
 #include "../18_shade/light.h"
 #include "files/name_table.h"
 #include "sky.h"
 #include "solids.h"
-
-typedef enum {
-    KEY_KD, KEY_KS, KEY_KE, KEY_TF, KEY_ABSORB, KEY_NS, KEY_NI, KEY_D, KEY_ILLUM, KEY_ROUGHNESS,
-    KEY_PRIORITY, material_keys
-} material_key;
 
 typedef struct {
     uint32_t name;             /* in s.names */

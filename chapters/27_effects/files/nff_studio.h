@@ -16,7 +16,7 @@
 
 #include "../../07_mesh/files/nff.h"
 #include "patch.h"
-#include "mtl.h"
+#include "mtl_studio.h"
 
 typedef struct {
     studio *s;

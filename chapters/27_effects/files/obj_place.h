@@ -11,7 +11,7 @@
 #define EFFECTS_OBJ_PLACE_H
 
 #include "../../07_mesh/files/obj.h"
-#include "mtl.h"
+#include "mtl_studio.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

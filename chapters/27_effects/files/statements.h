@@ -8,7 +8,7 @@
 #define EFFECTS_STATEMENTS_H
 
 #include "material_list.h"
-#include "mtl.h"
+#include "mtl_studio.h"
 
 typedef struct {
     studio *s;
