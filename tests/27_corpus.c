@@ -22,7 +22,7 @@ static void use(const studio *s)
     plan p = plan_of(s);
     if (studio_camera(s, 1, &v, &c, &f)) explain(nowhere, s, &p, &v);
     for (size_t i = 0; i < s->emitters; i++)
-        if (vzero(s->material[studio_emitter_material(s, i)].ke))
+        if (vzero(s->material[studio_emitter_material(s, i)].mtl.ke))
             check(false, "an emitter that does not emit");
     plan_free(&p);
 }
@@ -74,7 +74,7 @@ static bool feed_bytes(const char *ending, char *bytes, size_t n, studio *s, fai
         if (ok) studio_place(s, k, one, 0, (cite){s->paint[k].file, 0});
     } else {
         studio_palette p = {.room = 0};
-        ok = mtl_read_stream(s, in, path, name_add(&s->files, path), &p, f);
+        ok = mtl_studio_stream(s, in, path, name_add(&s->files, path), &p, f);
         studio_palette_free(&p);
     }
     if (strcmp(ending, ".scene") != 0) fclose(in);

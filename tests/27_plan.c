@@ -107,15 +107,16 @@ static double furnace(const appearance *a, double cosine)
 static void test_energy(void)
 {
     for (size_t i = check_count(1500); i-- > 0;) {
-        studio_material m = {.tf = {1, 1, 1}, .ni = 1 + random_next(&rng), .d = random_next(&rng),
-                             .ns = pow((real)10, 4 * random_next(&rng)) - 1,
-                             .illum = (int)(i % 12) - 1, .classic = i % 13 == 0};
-        m.said[KEY_NS].file = 1, m.said[KEY_KD].file = 1;
+        mtl_material m = {.tf = {1, 1, 1}, .ni = 1 + random_next(&rng), .d = random_next(&rng),
+                          .ns = pow((real)10, 4 * random_next(&rng)) - 1,
+                          .illum = (int)(i % 12) - 1};
         m.kd = (vec3){2 * random_next(&rng), random_next(&rng), random_next(&rng)};
         m.ks = (vec3){random_next(&rng), 2 * random_next(&rng), random_next(&rng)};
         if (i % 2) m.tf = (vec3){random_next(&rng), random_next(&rng), 2 * random_next(&rng)};
         if (i % 5 == 0) m.ns = 1, m.kd = (vec3){0, 0, 0}, m.ks = (vec3){1, 1, 1};
-        appearance a = appearance_of(&m);
+        studio_material of = {.mtl = m, .classic = i % 13 == 0};
+        of.said[MTL_NS].file = 1, of.said[MTL_KD].file = 1;
+        appearance a = appearance_of(&of);
         for (int k = 0; k < 2; k++)  /* brdf_albedo is a mean of samples: within 2e-4 */
             check_at_most(furnace(&a, k ? 1 : (double)random_next(&rng)),
                           1 + 2e-4 + 20 * (double)real_epsilon, "illum %d, Ns %g: energy", m.illum,
@@ -247,7 +248,7 @@ static void test_finish(void)
     at.z.y = -2;  /* askew: y' = 2 y - 2 z + 2 */
     studio_begin(&s);
     for (int i = 0; i < 3; i++) studio_add_material(&s, "m", (cite){0, 0});
-    s.material[1].ke.x = 1;
+    s.material[1].mtl.ke.x = 1;
     mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 2, .runs = 2,
               .index = allocate(6, sizeof *m.index), .run = allocate(2, sizeof *m.run)};
     uint32_t *paint = allocate(2, sizeof *paint);

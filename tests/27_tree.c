@@ -362,7 +362,7 @@ static void test_moved_lamp(void)
     for (uint32_t i = 0; i < 3; i++) m.index[i] = i;
     studio_begin(&s);
     uint32_t lamp = studio_add_material(&s, "lamp", (cite){0, 0});
-    s.material[lamp].ke = (vec3){1, 1, 1};
+    s.material[lamp].mtl.ke = (vec3){1, 1, 1};
     affine place = affine_scaling((vec3){2, 2, 2});
     place = affine_then(place, affine_translation((vec3){4, -8, 1}));
     studio_place(&s, studio_add_mesh(&s, m, allocate(1, 4), 0, false), place, lamp, (cite){0, 0});
@@ -446,7 +446,7 @@ static void double_studio(studio *s)
     studio_begin(s);
     uint32_t look[2] = {studio_add_material(s, "dull", (cite){0, 0}),
                         studio_add_material(s, "lamp", (cite){0, 0})};
-    s->material[look[1]].ke = (vec3){1, 2, 3};
+    s->material[look[1]].mtl.ke = (vec3){1, 2, 3};
     m.index = realloc(m.index, 6 * m.triangles * sizeof *m.index);
     if (!m.index) abort();
     for (size_t i = 0; i < 3 * m.triangles; i++)

@@ -54,12 +54,12 @@ static inline vec3 vrest(vec3 a)  /* 1 - a, not below 0 */
 /* Reflection of all that is around: in a lobe or sharp. */
 static inline void appearance_reflects(appearance *a, const studio_material *m, vec3 colour)
 {
-    bool spread = !m->classic && m->said[KEY_NS].file && m->ns < appearance_mirror_ns;
+    bool spread = !m->classic && m->said[MTL_NS].file && m->mtl.ns < appearance_mirror_ns;
     *(spread ? &a->glossy : &a->mirror) = colour;
 }
 
 /* Of glass: all, times F. Of what lets nothing through (Tf 0): F0 = ((1 - Ni) / (1 + Ni))^2. */
-static inline vec3 appearance_surface(const studio_material *m)
+static inline vec3 appearance_surface(const mtl_material *m)
 {
     real r = (1 - m->ni) / (1 + m->ni), F0 = vzero(m->tf) ? r * r : 1;
     return (vec3){F0, F0, F0};
@@ -97,7 +97,7 @@ static inline void appearance_note(appearance *a, real ns)
         | (appearance_body(a) && !vzero(a->absorb) ? EFFECT_ABSORPTION : 0);
 }
 
-static inline appearance appearance_classic(const studio_material *m)
+static inline appearance appearance_classic(const mtl_material *m)
 {
     appearance a = {.matte = m->kd, .highlight = m->ks, .mirror = m->ks, .through = m->tf,
                     .emits = m->ke, .absorb = m->absorb, .ior = m->ni, .bends = m->ni != 1,
@@ -107,23 +107,24 @@ static inline appearance appearance_classic(const studio_material *m)
 }
 
 /* How it is read when nobody says: see the table. */
-static inline int appearance_illum(const studio_material *m)
+static inline int appearance_illum(const mtl_material *m)
 {
     return m->illum >= 0 ? m->illum : m->d < 1 ? 9 : 2;
 }
 
-static inline appearance appearance_of(const studio_material *m)
+static inline appearance appearance_of(const studio_material *of)
 {
-    if (m->classic) return appearance_classic(m);
+    const mtl_material *m = &of->mtl;
+    if (of->classic) return appearance_classic(m);
     int illum = appearance_illum(m);
-    bool emits = !vzero(m->ke), lobe = m->said[KEY_NS].file;
-    vec3 kd = emits && !m->said[KEY_KD].file ? (vec3){0, 0, 0} : m->kd;  /* a lamp is no wall */
+    bool emits = !vzero(m->ke), lobe = of->said[MTL_NS].file;
+    vec3 kd = emits && !of->said[MTL_KD].file ? (vec3){0, 0, 0} : m->kd;  /* a lamp is no wall */
     appearance a = {.matte = kd, .emits = m->ke, .ior = m->ni};
     switch (illum) {
     case 0: a.matte = (vec3){0, 0, 0}, a.flat = kd; break;
     case 2: case 8: case 9: if (lobe) a.highlight = m->ks; break;
-    case 3: case 4: case 5: case 6: appearance_reflects(&a, m, m->ks); break;
-    case 7: if (m->ni != 1) appearance_reflects(&a, m, appearance_surface(m)); break;
+    case 3: case 4: case 5: case 6: appearance_reflects(&a, of, m->ks); break;
+    case 7: if (m->ni != 1) appearance_reflects(&a, of, appearance_surface(m)); break;
     }
     if (illum == 4 || illum == 9) {
         a.matte = vscale(kd, m->d);

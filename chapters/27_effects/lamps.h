@@ -74,7 +74,7 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
     for (size_t i = 0; i < s->emitters; i++) {
         studio_face x = s->emitter[i];
         studio_hit h = {{0, 0, 0, x.index}, x.place};
-        vec3 Ke = s->material[studio_emitter_material(s, i)].ke;
+        vec3 Ke = s->material[studio_emitter_material(s, i)].mtl.ke;
         lamps_add(out, x.place == no_shape ? lamps_of_shape(&s->shape[x.index], Ke)
                                            : lamps_of_triangle(t, x, Ke), studio_flat_face(t, h));
     }

@@ -102,7 +102,8 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
     out->media[0] = (medium){.ior = 1};
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &out->look[m];
-        out->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, s->material[m].priority};
+        int priority = s->material[m].mtl.priority;
+        out->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, priority};
         out->clear |= s->material[m].used && !vzero(a->through) && !a->bends;
     }
     effects_stage_effects(out, EFFECTS_ALL);

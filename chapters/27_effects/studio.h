@@ -34,15 +34,10 @@
 
 typedef struct {
     uint32_t name;             /* in s.names */
-    vec3 kd, ks, ke, tf;       /* matte, specular, emitted [W/m^2/sr], transmitted */
-    vec3 absorb;               /* per unit of length inside, >= 0 (Beer) */
-    real ns, ni, d;            /* exponent [0, 1e9], refractive index [.001, 10], 1 opaque .. 0 */
-    int illum;                 /* 0 to 10; -1: not said. What it means: appearance.h */
-    real roughness;            /* of glass, as in 23 [0, 1]; 0: smooth */
-    int priority;              /* 0 to 1000: which of overlapping bodies fills a place (19) */
+    mtl_material mtl;          /* what the file says. What that means: appearance.h */
     bool classic;              /* NFF: weights as they stand; reflections are sharp */
     bool library;              /* of an MTL file */
-    cite at, said[material_keys];
+    cite at, said[mtl_keys];
     bool used;                 /* by a shape or a placed triangle */
 } studio_material;
 

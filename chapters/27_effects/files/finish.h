@@ -50,7 +50,7 @@ static inline finish_run *finish_runs(studio *s, uint32_t number, bool *bare, si
         if (r.first >= r.end) continue;
         if (r.material == name_none) *bare = true;
         else s->material[r.material].used = true;
-        if (r.material == name_none || !vzero(s->material[r.material].ke)) list[(*n)++] = r;
+        if (r.material == name_none || !vzero(s->material[r.material].mtl.ke)) list[(*n)++] = r;
     }
     return list;
 }
@@ -68,7 +68,8 @@ static inline bool finish_mesh(studio *s, uint32_t number, failure *f)
         own->used |= bare;
         for (size_t k = 0; k < n; k++)
             for (uint32_t i = list[k].first; ok && i < list[k].end; i++)
-                if (list[k].material != name_none || !vzero(own->ke)) ok = finish_emits(s, p, i, f);
+                if (list[k].material != name_none || !vzero(own->mtl.ke))
+                    ok = finish_emits(s, p, i, f);
     }
     free(list);
     return ok;
@@ -99,7 +100,7 @@ static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what,
 {
     studio_material *m = &s->material[made_of];
     bool through = opaque && !vzero(appearance_of(m).through);
-    if (!through && vzero(m->ke)) return false;
+    if (!through && vzero(m->mtl.ke)) return false;
     failed(f, 2, "%s: %s: '%.60s' %s, allowed: materials that do not",
            studio_said(s, at).text, what, studio_material_name(s, made_of),
            through ? "lets light through" : "emits light");
@@ -128,17 +129,18 @@ static inline bool finish_lamp(studio *s, uint32_t i, failure *f)
     }
     free(k);
     return n || failed(f, 2, "%s: Ke: of a concave polygon of %u corners, allowed: of up to %d",
-                       studio_said(s, s->material[m].said[KEY_KE]).text,
+                       studio_said(s, s->material[m].said[MTL_KE]).text,
                        (unsigned)g.n, patch_most);
 }
 
 static inline bool finish_rough(const studio *s, failure *f)
 {
     for (uint32_t m = 0; m < s->materials; m++) {
-        if (!(s->material[m].roughness > 0) || appearance_of(&s->material[m]).rough > 0) continue;
+        const studio_material *x = &s->material[m];
+        if (!(x->mtl.roughness > 0) || appearance_of(x).rough > 0) continue;
         return failed(f, 2, "%s: roughness: '%.60s' is no glass, allowed: 0, or with illum 7, Tf "
                       "above 0, Ni not 1; of what reflects alone say Ns",
-                      studio_said(s, s->material[m].said[KEY_ROUGHNESS]).text,
+                      studio_said(s, x->said[MTL_ROUGHNESS]).text,
                       studio_material_name(s, m));
     }
     return true;
@@ -158,7 +160,7 @@ static inline bool studio_finish(studio *s, failure *f)
         uint32_t m = s->shape_material[i];
         s->material[m].used = true;
         if (x->kind == SHAPE_POLYGON) x->polygon.v = next, next += x->polygon.n;
-        if (vzero(s->material[m].ke)) continue;
+        if (vzero(s->material[m].mtl.ke)) continue;
         if (x->kind == SHAPE_CONE && finish_refuses(s, m, "cone", false, s->material[m].at, f))
             return false;
         if (x->kind == SHAPE_POLYGON && !finish_lamp(s, i, f)) return false;

@@ -42,10 +42,11 @@ static inline void nff_place_fill(nff_place *r, const nff_fill *x)
     snprintf(name, sizeof name, "f%zu", ++r->fills);
     r->material = studio_add_material(r->s, name, nff_cite(r));
     studio_material *m = &r->s->material[r->material];
-    m->kd = vscale(x->colour, x->kd), m->ks = vscale(x->colour, x->ks), m->ns = x->shine;
-    m->tf = (vec3){x->transmit, x->transmit, x->transmit}, m->ni = x->ior > 0 ? x->ior : 1;
+    mtl_material *n = &m->mtl;
+    n->kd = vscale(x->colour, x->kd), n->ks = vscale(x->colour, x->ks), n->ns = x->shine;
+    n->tf = (vec3){x->transmit, x->transmit, x->transmit}, n->ni = x->ior > 0 ? x->ior : 1;
     m->classic = true;
-    static const material_key said[] = {KEY_KD, KEY_KS, KEY_TF, KEY_NS, KEY_NI, KEY_ILLUM};
+    static const mtl_keyword said[] = {MTL_KD, MTL_KS, MTL_TF, MTL_NS, MTL_NI, MTL_ILLUM};
     for (size_t k = 0; k < sizeof said / sizeof *said; k++) m->said[said[k]] = m->at;
 }
 

@@ -27,7 +27,7 @@ static inline bool obj_try_library(studio *s, const char *base, const char *name
     *there = word_path(base, name, path) && stat(path, &what) == 0 && S_ISREG(what.st_mode)
         && access(path, R_OK) == 0;
     if (!*there) return true;
-    if (!mtl_read(s, path, &k, f)) return false;
+    if (!mtl_studio(s, path, &k, f)) return false;
     for (size_t i = 0; i < found->n; i++)
         if (found->library[i] == k) return true;
     found->library = grown(found->library, found->n, &found->room, sizeof *found->library);

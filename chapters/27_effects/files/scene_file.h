@@ -130,7 +130,7 @@ static inline bool scene_mtl(statement *q)
 {
     char path[word_longest_path];
     uint32_t library;
-    return scene_path(q, path) && mtl_line_ends(q->t) && mtl_read(q->s, path, &library, q->f);
+    return scene_path(q, path) && mtl_line_ends(q->t) && mtl_studio(q->s, path, &library, q->f);
 }
 
 /* One word, 0 behind it. */
@@ -279,19 +279,18 @@ static const struct { const char *word; bool (*say)(statement *q); } scene_state
 static inline bool scene_statement(statement *q)
 {
     size_t k = 0, n = sizeof scene_statements / sizeof *scene_statements;
-    bool known;
     while (k < n && !text_is(q->t, scene_statements[k].word)) k++;
     if (k < n) {
         q->t->p += strlen(q->t->keyword = scene_statements[k].word);
         return scene_statements[k].say(q) && mtl_line_ends(q->t);
     }
-    if (mtl_find(q->t) == mtl_keys)
+    if (mtl_find(q->t) == mtl_key_words)
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
                         "environment, up, indirect, material, use, sphere, cone, polygon, "
                         "box, solid, obj, nff, mtl, mesh, instance, include, or Kd .. priority");
     if (q->described == name_none)
         return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");
-    return mtl_key(q->s, q->t, q->described, q->at, &known) && mtl_line_ends(q->t);
+    return mtl_studio_key(q->s, q->t, q->described, q->at) && mtl_line_ends(q->t);
 }
 
 #endif

@@ -134,13 +134,12 @@ static inline bool say_indirect(statement *q)
 static inline bool say_listed(statement *q, const char *name, const char *keys, uint32_t *out)
 {
     text_reader t;
-    bool known;
     FILE *in = text_in_memory(keys);
     if (!in) return failed(q->f, 1, "%.100s: no memory", name);
     *out = studio_add_material(q->s, name, q->at);
     bool ok = text_begin(&t, in, name, q->f);
     if (ok) {
-        while (ok && text_statement(&t)) ok = mtl_key(q->s, &t, *out, q->at, &known);
+        while (ok && text_statement(&t)) ok = mtl_studio_key(q->s, &t, *out, q->at);
         ok = text_end(&t) && ok;
     }
     fclose(in);

@@ -48,13 +48,12 @@ static inline void studio_warns(studio *s)
 
 /* ---- materials ---- */
 
-/* A new material with the defaults of MTL: matte, opaque, and kd of its own. */
+/* A new material with the defaults of MTL. */
 static inline uint32_t studio_add_material(studio *s, const char *name, cite at)
 {
     studio_grow(s, material, s->materials);
     s->material[s->materials] = (studio_material){
-        .name = name_add(&s->names, name), .kd = {0.8, 0.8, 0.8},
-        .tf = {1, 1, 1}, .ns = 1000, .ni = 1, .d = 1, .illum = -1, .at = at};
+        .name = name_add(&s->names, name), .mtl = mtl_default, .at = at};
     return (uint32_t)s->materials++;
 }
 

@@ -60,7 +60,7 @@ static inline explain_words explain_more(size_t n)
 
 /* "material 'red' (room.scene:7) and 3 more": the line that says most about why. None: a table of
  * rules that is wrong has called for it. */
-static inline explain_words explain_group(const studio *s, plan_group g, material_key key)
+static inline explain_words explain_group(const studio *s, plan_group g, mtl_keyword key)
 {
     if (g.n == 0) return (explain_words){"no material"};
     const studio_material *m = &s->material[g.first];
@@ -70,15 +70,15 @@ static inline explain_words explain_group(const studio *s, plan_group g, materia
 }
 
 /* Rough glass says so, and not Ns; where illum is not said, d lets light through. */
-static inline material_key explain_key(const plan_facts *q, int kind)
+static inline mtl_keyword explain_key(const plan_facts *q, int kind)
 {
     uint32_t m = q->has[kind].n ? q->has[kind].first : 0;
     switch (kind) {
-    case RAY_GLOSSY: return q->look[m].rough > 0 ? KEY_ROUGHNESS : KEY_NS;
-    case RAY_REFRACTED: return q->s->material[m].illum < 0 ? KEY_D : KEY_ILLUM;
-    case RAY_ABSORBED: return KEY_ABSORB;
-    case RAY_SCATTERED: return KEY_KD;
-    default: return KEY_ILLUM;
+    case RAY_GLOSSY: return q->look[m].rough > 0 ? MTL_ROUGHNESS : MTL_NS;
+    case RAY_REFRACTED: return q->s->material[m].mtl.illum < 0 ? MTL_D : MTL_ILLUM;
+    case RAY_ABSORBED: return MTL_ABSORB;
+    case RAY_SCATTERED: return MTL_KD;
+    default: return MTL_ILLUM;
     }
 }
 
@@ -99,7 +99,7 @@ static inline explain_words explain_called(const plan_facts *q, int kind)
     case RAY_TO_LAMP:
         return explain_text("%zu face%s of %.270s on %.300s", s->emitters,
                             s->emitters == 1 ? "" : "s, the first", explain_group(s,
-                            (plan_group){studio_emitter_material(s, 0), 1}, KEY_KE).text, by.text);
+                            (plan_group){studio_emitter_material(s, 0), 1}, MTL_KE).text, by.text);
     case RAY_TO_SKY:
         return explain_text("environment (%.150s) on %.300s", studio_said(s, s->sky_said).text,
                             by.text);
@@ -147,21 +147,21 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
     size_t n = 0, room = sizeof does;
     unsigned mask = plan_calls(&p->facts.look[m]) & p->effects;
     if (x->at.file) snprintf(at, sizeof at, "  (%s)", studio_said(s, x->at).text);
-    if (!x->classic) snprintf(illum, sizeof illum, x->illum < 0 ? "illum not said, as %d"
-                              : "illum %d", appearance_illum(x));
+    if (!x->classic) snprintf(illum, sizeof illum, x->mtl.illum < 0 ? "illum not said, as %d"
+                              : "illum %d", appearance_illum(&x->mtl));
     for (int k = 0; k < effect_kinds && x->used; k++)
         if (mask >> k & 1) n += (size_t)snprintf(does + n, room - n, "%s%s", n ? ", " : "",
                                                  effect_names[k].name);
     if (!n) n = (size_t)snprintf(does, room, x->used ? "none" : "not in use");
-    if (x->used && !vzero(x->ke)) n += (size_t)snprintf(does + n, room - n, "; emits");
+    if (x->used && !vzero(x->mtl.ke)) n += (size_t)snprintf(does + n, room - n, "; emits");
     if (x->used && p->facts.look[m].excess > 1 + 16 * real_epsilon)
         n += (size_t)snprintf(does + n, room - n, "; gives back %.3g times what it gets: divided "
                               "by that", (double)p->facts.look[m].excess);
-    if (!x->classic && x->d < 1 && vzero(p->facts.look[m].through))
+    if (!x->classic && x->mtl.d < 1 && vzero(p->facts.look[m].through))
         n += (size_t)snprintf(does + n, room - n, "; d %g, but illum %d calls for no transparency",
-                              (double)x->d, x->illum);
-    if (x->illum >= 8 && x->illum <= 10)
-        snprintf(does + n, room - n, "; what illum %d means is not all simulated", x->illum);
+                              (double)x->mtl.d, x->mtl.illum);
+    if (x->mtl.illum >= 8 && x->mtl.illum <= 10)
+        snprintf(does + n, room - n, "; what illum %d means is not all simulated", x->mtl.illum);
     explain_say(out, "  %s%s  %s: %s", studio_material_name(s, m), at, illum, does);
 }
 
