@@ -75,8 +75,8 @@ static void test_keys(void)
     s = read_all("newmtl a\nNs 1e9\nNi 10\nd 0\nillum 10\nroughness 1\npriority 1000\nKe 1e30\n");
     check(s.m.ns == (real)1e9 && s.m.ni == 10 && s.m.d == 0 && s.m.illum == 10 && s.m.roughness == 1
           && s.m.priority == 1000 && grey(s.m.ke, (real)1e30), "as far as it goes");
-    s = read_all("newmtl a\nNs 0\nNi 0.001\nillum 0\n");
-    check(s.m.ns == 0 && s.m.ni == (real)0.001 && s.m.illum == 0, "and down to");
+    s = read_all("newmtl a\nNs 0\nNi 0.000999\nillum 0\n");
+    check(s.m.ns == 0 && s.m.ni == (real)0.000999 && s.m.illum == 0, "and down to");
     s = read_all("");
     check(s.materials == 0 && s.nothing == 0, "an empty file");
 }
