@@ -8,7 +8,6 @@
 #define DIRECT_MEASURE_H
 
 #include "../../../common/numbers/estimate.h"
-#include "../../22_radiometry/polygon_irradiance.h"
 #include "survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -90,7 +89,7 @@ static inline void measure_near(const options *o)
         double h = pow(10, -i);
         rectangle r = {vec(h, -1, 0), {0, 0, 2}, {0, 2, 0}};
         emitter e = emitter_of_rectangle(r, white);
-        double second = 0, mean = (double)(rectangle_irradiance(r, p, (vec3){0, 0, 1}) / pi);
+        double second = 0, mean = (double)(whole_irradiance(r, p, (vec3){0, 0, 1}) / pi);
         uint32_t n = o->quick ? 1000 : 100000, seen = o->quick ? 1000 : 20000;
         for (uint32_t k = 0; k < n; k++) {
             sampler s = sampler_start(SEQUENCE_SOBOL, o->seed, 0, k, n);

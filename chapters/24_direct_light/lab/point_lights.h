@@ -8,7 +8,6 @@
 #ifndef DIRECT_POINT_LIGHTS_H
 #define DIRECT_POINT_LIGHTS_H
 
-#include "../../22_radiometry/polygon_irradiance.h"
 #include "survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -33,7 +32,7 @@ static inline void points_job(size_t i, void *context)
     v->at[i].part = seen == 64 * 64 ? 0 : seen ? 1 : 2;
     if (v->at[i].part == 0) {
         rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
-        real E = rectangle_irradiance(lamp, p->h.s.p, p->h.s.n) / pi;
+        real E = whole_irradiance(lamp, p->h.s.p, p->h.s.n) / pi;
         truth = grey(vscale(vmul(p->h.m->f.diffuse, cornell_radiance), E));
     }
     for (int k = 0; k < points_levels && v->at[i].part < 2; k++) {

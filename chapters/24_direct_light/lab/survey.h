@@ -48,6 +48,19 @@ typedef struct {
 
 static inline double grey(vec3 c) { return (double)(c.x + c.y + c.z) / 3; }
 
+/* Irradiance over radiance of a rectangle whose front p sees whole, above the horizon: Lambert's
+ * sum over its edges (22.15). */
+static inline real whole_irradiance(rectangle r, vec3 p, vec3 n)
+{
+    vec3 a = vsub(r.o, p), b = vadd(a, r.s), v[4] = {a, b, vadd(b, r.t), vadd(a, r.t)};
+    real sum = 0;
+    for (int i = 0; i < 4; i++) {
+        vec3 edge = vcross(v[i], v[(i + 1) % 4]);
+        sum -= atan2(vlength(edge), vdot(v[i], v[(i + 1) % 4])) * vdot(n, vunit(edge));
+    }
+    return sum / 2;
+}
+
 /* The numbers of pair 1 (direct.h): first.h chooses the points that DIRECT_AREA chooses. */
 static inline random_stream survey_lamp_numbers(uint64_t seed, uint64_t pixel, uint32_t k)
 {
