@@ -3,7 +3,7 @@
  * once in 1e8 seeds. */
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/oracle.h"
-#include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "../chapters/22_radiometry/lab/sphere_irradiance.h"
 #include "22_inputs.h"
 #include "check.h"
 

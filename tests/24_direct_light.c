@@ -2,8 +2,8 @@
  * are not traced, and the naive ways failing. Fixed seeds; each t-test alarms falsely once in 1e8
  * seeds, all of them together once in 1e6. */
 #include "../common/lab/t_test.h"
-#include "../chapters/22_radiometry/polygon_irradiance.h"
-#include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/sphere_irradiance.h"
 #include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/24_direct_light/direct.h"
 #include "../chapters/24_direct_light/lab/pictures.h"

@@ -2,7 +2,7 @@
  * the noise of each where the other is better; the box. Fixed seeds; a t-test alarms falsely once
  * in 1e8 seeds. */
 #include "../common/lab/t_test.h"
-#include "../chapters/22_radiometry/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"

@@ -29,7 +29,7 @@
 #ifndef BOUNCES_RADIOSITY_BOX_H
 #define BOUNCES_RADIOSITY_BOX_H
 
-#include "../chapters/22_radiometry/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
 #include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/transport.h"
 

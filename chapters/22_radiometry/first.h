@@ -1,6 +1,6 @@
 /* first.h: solid angle, and the irradiance of a shining ball: by its formula, and by directions.
  * Wrong: 1 - cos a is 0 for small caps (a < 0.0002 in float, 1e-8 in double), and what of the ball
- * is below the horizon (22.10) takes away. solid_angle.h and sphere_irradiance.h mend both. */
+ * is below the horizon (22.10) takes away. solid_angle.h and lab/sphere_irradiance.h mend both. */
 #ifndef FIRST_RADIOMETRY_H
 #define FIRST_RADIOMETRY_H
 #include "../03_sphere/first.h"

@@ -16,7 +16,7 @@
 #ifndef RADIOMETRY_DIRECTIONS_H
 #define RADIOMETRY_DIRECTIONS_H
 
-#include "../relations.h"
+#include "relations.h"
 
 typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, radiometry_lights } radiometry_light;
 typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, direction_ways } direction_way;

@@ -15,7 +15,7 @@
 #ifndef RADIOMETRY_FLOORS_H
 #define RADIOMETRY_FLOORS_H
 
-#include "../relations.h"
+#include "relations.h"
 
 typedef enum { FLOOR_SPHERE, FLOOR_RECTANGLE, FLOOR_SPOTLIGHT, floor_lights } floor_light;
 enum { floor_cells = 64 };

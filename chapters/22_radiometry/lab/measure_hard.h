@@ -13,7 +13,7 @@
 #include "../../../common/lab/report.h"
 #include "naive.h"
 #include "oracle.h"
-#include "../relations.h"
+#include "relations.h"
 
 enum { hard_inputs = 256 };
 typedef enum {

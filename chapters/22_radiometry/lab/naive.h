@@ -10,8 +10,8 @@
 #ifndef RADIOMETRY_NAIVE_H
 #define RADIOMETRY_NAIVE_H
 
-#include "../polygon_irradiance.h"
-#include "../sphere_irradiance.h"
+#include "polygon_irradiance.h"
+#include "sphere_irradiance.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -25,8 +25,8 @@
 #ifndef RADIOMETRY_SPHERE_IRRADIANCE_H
 #define RADIOMETRY_SPHERE_IRRADIANCE_H
 
-#include "../../common/numbers/gauss.h"
-#include "solid_angle.h"
+#include "../../../common/numbers/gauss.h"
+#include "../solid_angle.h"
 
 /* A sphere in the frame of the surface. power = d^2 - radius^2 [>= 0]. */
 typedef struct { real radius, across, power; } sphere_view;

@@ -35,8 +35,8 @@
 #ifndef RADIOMETRY_POLYGON_IRRADIANCE_H
 #define RADIOMETRY_POLYGON_IRRADIANCE_H
 
-#include "../../common/numbers/gauss.h"
-#include "solid_angle.h"
+#include "../../../common/numbers/gauss.h"
+#include "../solid_angle.h"
 
 enum { polygon_most = 16 };
 

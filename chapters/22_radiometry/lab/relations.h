@@ -16,11 +16,11 @@
 #ifndef RADIOMETRY_RELATIONS_H
 #define RADIOMETRY_RELATIONS_H
 
-#include "../../common/numbers/estimate.h"
-#include "../../common/random.h"
+#include "../../../common/numbers/estimate.h"
+#include "../../../common/random.h"
+#include "../spherical_sampling.h"
 #include "polygon_irradiance.h"
 #include "sphere_irradiance.h"
-#include "spherical_sampling.h"
 
 typedef struct {
     const char *name, *unit;
