@@ -321,6 +321,28 @@ static void test_which_map(void)
     check_at_most(worst, 2 * eps, "a small length keeps its digits");
 }
 
+/* Neighbours stay neighbours: a 1024th of u moves the point by four 1024ths of a side at most. Two
+ * triangles have a seam: where u passes from one to the other, the point leaps by half a side. */
+static void test_seam(void)
+{
+    rectangle r = {{-1, -1, 1}, {0, 2, 0}, {3, 0, 0}};
+    spherical_rectangle k = spherical_rectangle_of(r, seen_from);
+    for (int j = 1; j < 8; j++) {
+        double step = 0, leap = 0;
+        for (int i = 0; i < 1024; i++) {
+            real u = (real)i / 1024, next = (real)(i + 1) / 1024, v = (real)j / 8;
+            vec3 one = vsub(spherical_rectangle_sample(&k, next, v),
+                            spherical_rectangle_sample(&k, u, v));
+            vec3 two = vsub(spherical_rectangle_sample_halves(&k, next, v),
+                            spherical_rectangle_sample_halves(&k, u, v));
+            step = check_worse(step, (double)vlength(one));
+            leap = check_worse(leap, (double)vlength(two));
+        }
+        check_at_most(step, 4.0 / 1024, "v = %d/8: no seam", j);
+        check_at_least(leap, 0.5, "v = %d/8: the seam of two triangles", j);
+    }
+}
+
 /* The map of Ureña et al. on a small rectangle: the difference of two sines. */
 static void test_urena_fails(void)
 {
@@ -375,6 +397,7 @@ int main(void)
     test_near_edges();
     test_rectangle_shares();
     test_which_map();
+    test_seam();
     test_urena_fails();
     test_sphere_cones();
     return check_report("22_spherical_sampling");
