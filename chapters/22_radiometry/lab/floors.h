@@ -24,8 +24,8 @@ enum { floor_cells = 64 };
 /* ---------------------------------------------------------------------------------------------- */
 
 static const sphere buried = {{0, 0, 0.6}, 1};
-static const rectangle screen = {{-2, -1.5, 0}, {0, 3, 0}, {0, 0, 2}};
-static const vec3 spot_at = {-2, 0, 2}, spot_axis = {0.6, 0, -0.8};
+static const rectangle screen = {{-3.75, -1.5, 0}, {0, 3, 0}, {0, 0, 2}};
+static const vec3 spot_at = {-2.5, 0, 3}, spot_axis = {0.6, 0, -0.8};
 
 static inline real spot_intensity(vec3 w)
 {
