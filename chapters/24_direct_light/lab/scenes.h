@@ -30,7 +30,7 @@ static inline camera stage_camera_of(direct_stage_name name, real aspect)
     return name == STAGE_BOX ? cornell_camera(aspect)
          : name == STAGE_FIRST ? lit_first_camera()
          : name == STAGE_PLATES ? camera_at(plate_eye, vec(0, -2, 2.5), up, 28, aspect)
-                                : camera_at(vec(0, 2.2, 3), vec(0, .05, -1), up, 36, aspect);
+                                : camera_at(vec(0, 2.2, 3), vec(0, .05, -1), up, 30, aspect);
 }
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
@@ -88,7 +88,8 @@ static inline void stage_strip(direct_stage *g)
 static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
     first_scene first = first_cornell();
-    *g = (direct_stage){.aspect = name <= STAGE_FIRST ? 1 : (real)1.4, .exposure = 1.4};
+    const real aspect = name <= STAGE_FIRST ? 1 : name == STAGE_PLATES ? (real)1.4 : (real)1.7;
+    *g = (direct_stage){.aspect = aspect, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
     else if (name == STAGE_FIRST) lit_first_begin(&first, &g->s);
     else lit_begin(&g->s);
