@@ -63,7 +63,7 @@ seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" double |
 if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
 
 # A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in
-# first.h or first.c, the numbers of its formulas rising, nothing in them that a renderer would drop, no
+# first.h or first.c, or in the header that its fence names (```c path.h), the numbers of its formulas rising, nothing in them that a renderer would drop, no
 # more words than a sitting takes, and every file that it links to or shows is there.
 lecture() {  # lecture FOLDER: a line for each fault
     awk -v folder="$1" '
@@ -74,11 +74,14 @@ lecture() {  # lecture FOLDER: a line for each fault
                 n = split("The idea|The formulas|The code|Try it|Where it breaks|What accuracy costs|" \
                           "Only what is called for|What the notes say|Exercises|Going on", part, "|")
                 for (i = 1; i <= n; i++) place[part[i]] = i }
-        function compare() { if (code != "" && kind == "c" && !index(board, code))
-                                 print "not in first.h: " substr(code, 1, index(code, "\n") - 1)
+        function compare() { if (code != "" && kind == "c" && !index(text, code))
+                                 print "not in " named ": " substr(code, 1, index(code, "\n") - 1)
                              code = "" }
         /^```/ { compare()
-                 kind = kind == "" ? (/^```c$/ ? "c" : "other") : ""; code = ""; next }
+                 kind = kind == "" ? (/^```c( |$)/ ? "c" : "other") : ""; code = ""
+                 if (kind == "c") { named = NF > 1 ? $2 : "first.h"
+                                    text = NF > 1 ? slurp(folder "/" $2) : board }
+                 next }
         kind != "" && /^ *$/ { compare() }  # what stands between may be left out
         kind != "" { code = code ($0 ~ /^ *$/ ? "" : $0 "\n"); next }
         /^    / { next }
@@ -106,11 +109,11 @@ for page in README.md chapters/README.md chapters/*/*.md; do
     faults=$(links "$page"; grep -q '^## The idea' "$page" && lecture "$(dirname "$page")")
     if [ -z "$faults" ]; then ok; else no "$page: $faults"; fi
 done
-mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n' \
+mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n```c first.c\nint x;\n\nint y;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n' \
     >"$scratch/page_of/README.md"
 printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
 seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
-if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
+if [ "$seen" -eq 10 ]; then ok; else no "10 planted faults of a page, $seen seen"; fi
 
 # make costs names columns and rows of tables that the pages show: a row by the cells that it begins with.
 named() {  # named FILE: "CHAPTER<TAB>column or row<TAB>TEXT"
