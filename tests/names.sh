@@ -1,7 +1,8 @@
 #!/bin/sh
 # shellcheck disable=SC2016
 # Names in the tree: no two headers, laboratories included, define the same guard, type, macro, function or
-# enumerator; and what a header's contract (its first comment) calls exists, with so many arguments.
+# enumerator; what a header's contract (its first comment) calls exists, with so many arguments; and what the map
+# and the notes name exists.
 . tests/check.sh
 
 headers() { find "$1/common" "$1/chapters" -name '*.h' | sort; }
@@ -113,6 +114,16 @@ promises() {
             } }' "$2"
 }
 
+# lost DIR: headers, and names with a _, that chapters/README.md and the notes below DIR put in backticks, and no
+# file has; MINE=my.h is the reader's own
+lost() {
+    (cd "$1" && find common chapters tests -name '*.[ch]' >"$scratch/files" && {
+        sed 's|.*/||' "$scratch/files"; xargs cat <"$scratch/files" | grep -oE '[A-Za-z_][A-Za-z_0-9]*'; } |
+        LC_ALL=C sort -u >"$scratch/has"
+    cd "$1" && grep -ohE '`[^`]*`' chapters/README.md chapters/notes/*.md | grep -v MINE= |
+        grep -oE '[a-z][a-z0-9_]*\.h|[a-z][a-z0-9]*_[a-z0-9_]+' | LC_ALL=C sort -u | LC_ALL=C comm -23 - "$scratch/has")
+}
+
 defined . >"$scratch/defined"
 if [ "$(wc -l <"$scratch/defined")" -gt 1000 ]; then ok; else no "hardly a name was found"; fi
 clashes <"$scratch/defined" >"$scratch/clashes"
@@ -121,8 +132,11 @@ bare <"$scratch/defined" >"$scratch/bare"
 if [ -s "$scratch/bare" ]; then no "guards without the chapter's prefix: $(cat "$scratch/bare")"; else ok; fi
 promises . "$scratch/defined" >"$scratch/promises"
 if [ -s "$scratch/promises" ]; then no "contracts: $(cat "$scratch/promises")"; else ok; fi
+gone=$(lost .)
+if [ -z "$gone" ]; then ok; else no "the map or the notes name what does not exist: $gone"; fi
+if [ "$(wc -l <"$scratch/has")" -gt 1000 ]; then ok; else no "hardly a word was found"; fi
 
-# Both rules see what they are there to see, and no more: guard, type, tag, function, draw, thing_kind, a_few and a_most clash.
+# The rules see what they are there to see, and no more: guard, type, tag, function, draw, thing_kind, a_few and a_most clash.
 mkdir -p "$scratch/tree/common" "$scratch/tree/chapters/01_a/lab" "$scratch/tree/chapters/02_b/lab"
 cat >"$scratch/tree/chapters/01_a/a.h" <<'END'
 /* a.h: a thing.
@@ -159,5 +173,10 @@ if [ "$(grep -c '^enumerator' "$scratch/planted")" -eq 8 ]; then ok; else no "8 
 if [ "$(bare <"$scratch/planted")" = "chapters/01_a/: A_H C_H" ]; then ok; else no "two bare guards were planted"; fi
 seen=$(promises "$scratch/tree" "$scratch/planted" | wc -l)
 if [ "$seen" -eq 3 ]; then ok; else no "3 false promises were planted, $seen seen"; fi
+mkdir -p "$scratch/tree/chapters/notes" "$scratch/tree/tests"
+printf 'of no_code: `thing_make`, `lab/l.h`; gone: `thing_lost`, `made.h`; `MINE=my.h`\n' >"$scratch/tree/chapters/README.md"
+printf 'gone: `(1.2) a_third(x)`, `b.h`\n' >"$scratch/tree/chapters/notes/a.md"
+seen=$(lost "$scratch/tree" | wc -l)
+if [ "$seen" -eq 3 ]; then ok; else no "3 names that are gone were planted, $seen seen"; fi
 
 report
