@@ -230,7 +230,7 @@ done
 cd "$scratch" || exit 1
 for name in shapes structures light paths; do
     program=$BUILD/$name
-    if [ -x "$program" ]; then run 2 --help; says "knows by its name which of these it is: "; fi
+    if [ -x "$program" ]; then run 2 --help; says "knows by its name which of these it is, so keep the name: "; fi
 done
 cd "$root" || exit 1
 name=cli.sh

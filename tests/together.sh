@@ -47,4 +47,4 @@ for p in "$@"; do
     case $p in test_*) with= ;; *) with='argc, argv' ;; esac
     printf '    if (strcmp(name, "%s") == 0) return main_%s(%s);\n' "$p" "$p" "$with"
 done
-printf '    fprintf(stderr, "%%s: knows by its name which of these it is: %s\\n", name);\n    return 2;\n}\n' "$*"
+printf '    fprintf(stderr, "%%s: knows by its name which of these it is, so keep the name: %s\\n", name);\n    return 2;\n}\n' "$*"
