@@ -7,6 +7,7 @@
 #include "../chapters/17_compare/lab/summary.h"
 #include "../chapters/17_compare/lab/sweep.h"
 #include "../chapters/06_csg/lab/csg_oracle.h"
+#include "child.h"
 #include "structure.h"
 
 #include "program.h"
@@ -623,6 +624,34 @@ static void test_open_ends(void)
     }
 }
 
+/* Loses what is at t = 0, where the last digit of t is nothing. */
+static bool forward_hit(const void *s, ray r, hit *out)
+{
+    return bvh_hit(s, r, out) && out->t > 0;
+}
+
+static void say_in_time(void *p)
+{
+    alarm(60);  /* it once never ended */
+    char *text = patient_said(p);
+    fputs(text, stdout), free(text);
+}
+
+static void test_zero(void)
+{
+    patient *p = patient_new(&bvh_contender, through_pot);
+    p->r.o = mesh_triangle(&p->m, p->due.shape).a;
+    p->due = hit_none;
+    items_hit(&p->x, p->r, &p->due);
+    check(p->due.shape != no_shape && p->due.t == 0, "a ray that begins at a corner hits there");
+    p->c.hit = forward_hit;
+    child_result said = child_run(say_in_time, p);
+    check(said.status == 0 && strstr(said.out, "bvh: wrong ray: o = ")
+              && strstr(said.out, "[t, t] either"),
+          "a lost t = 0 is explained, in time: %d: %s", said.status, said.out);
+    patient_free(p);
+}
+
 /* A structure alone is proved by brute force alone, and nothing proves nothing. */
 static void test_alone(void)
 {
@@ -1080,6 +1109,7 @@ int main(void)
     test_fewest("balls", 1);
     test_wrong_answers();
     test_open_ends();
+    test_zero();
     test_costs();
     test_cheapest();
     test_kept();

@@ -41,7 +41,7 @@ static inline bool window_finds(const contender *c, const void *s, const wrong_a
 static inline real window_wider(const contender *c, const void *s, const wrong_answer *w)
 {
     real t = w->due.t, most = fabs(t) + 1;
-    for (real x = real_epsilon / 2 * real_max(fabs(t), real_smallest); x <= most; x *= 2)
+    for (real x = real_max(real_epsilon / 2 * fabs(t), real_smallest); x <= most; x *= 2)
         if (window_finds(c, s, w, t - x, t + x)) return x;
     return 0;
 }
@@ -159,6 +159,7 @@ static inline void explain_wrong(const contender *c, const contender_settings *h
     if (w->any) fprintf(out, "  %s: occluded: %s\n", c->name,
                         w->got.shape == no_shape ? "no" : "yes");
     else print_hit(out, c->name, w->got);
+    fflush(out);  /* what follows may take seconds */
     explain_window(c, s, w, out);
     explain_shape(x, w, out);
     explain_fewest(c, how, x, w, out);
