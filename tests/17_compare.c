@@ -516,6 +516,31 @@ static bool second_hit(const void *s, ray r, hit *out)
     return true;
 }
 
+/* Wrong only where a direction is so long that searches scale t. */
+static bool unscaled_hit(const void *s, ray r, hit *out)
+{
+    return direction_scale(fabs(vaxis(r.d, vlongest(r.d)))) <= 1 && bvh_hit(s, r, out);
+}
+
+/* Found out in every scene. */
+static void test_unscaled(void)
+{
+    contender broken = bvh_contender;
+    line_up one = {.n = 0};
+    broken.hit = unscaled_hit;
+    choose(&one, &broken);
+    for (int k = 0; k < scenes; k++) {
+        comparison s;
+        world w = tiny(scene_list[k].name);
+        FILE *out = tmpfile();
+        if (!out) abort();
+        compare_begin(&s, &w, &one, (size_t)1 << 30, 1);
+        compare_rays(&s, 64, 7);
+        check(!compare_prove(&s, SIZE_MAX, 400, 7, out), "%s: t unscaled is found out", w.name);
+        fclose(out), compare_end(&s), world_free(&w);
+    }
+}
+
 /* The ray hits item i. */
 static bool meets(const items *x, uint32_t i, ray r)
 {
@@ -1107,6 +1132,7 @@ int main(void)
     test_patients();
     test_fewest("teapot", 2);
     test_fewest("balls", 1);
+    test_unscaled();
     test_wrong_answers();
     test_open_ends();
     test_zero();

@@ -4,6 +4,8 @@
  *                                                 outlines, poles and rims of round shapes, edges
  *                                                 of solids; in a mesh half as aimed.h does
  *   ray_set e = rays_everywhere(&w, n, seed)      from anywhere near to anywhere in it
+ *   rays_stretch(&e)                              the same, with directions 2^30 or 2^-30 long: t is
+ *                                                 tiny or huge, which a search may have to scale
  */
 #ifndef AABB_BORDERS_H
 #define AABB_BORDERS_H
@@ -139,6 +141,16 @@ static inline ray_set rays_everywhere(const world *w, size_t n, uint64_t seed)
         s.r[i] = ray_from(o, vsub(vadd(lo, vmul(to, vsub(hi, lo))), o));
     }
     return s;
+}
+
+static inline void rays_stretch(ray_set *s)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        vec3 *d = &s->r[i].d;
+        int e;
+        (void)frexp(vaxis(*d, vlongest(*d)), &e);
+        *d = vscale(*d, ldexp((real)1, (i % 2 ? 30 : -30) - e));
+    }
 }
 
 #endif

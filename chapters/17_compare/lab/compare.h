@@ -13,7 +13,8 @@
  * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for up to `most`
  * rays of every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few
  * more of them, half of which are aimed where shapes end; those are asked again, ending exactly at
- * their hits (proof.h). The first ray that differs is explained, and the answer is false.
+ * their hits (proof.h); and so for an eighth as many whose directions are very long or short. The
+ * first ray that differs is explained, and the answer is false.
  *
  * share: no structure parts triangles that lie in one place, and each ray asks them all, as many
  * times as there are structures and turns. So a few aimed rays tell how many steps and tests a ray
@@ -302,11 +303,14 @@ static inline void compare_count_wrong(comparison *s, const ray_set *rays, const
         }
 }
 
-/* All entries on some rays. The first that fits gives the hits that the others are held against;
- * brute force gives them if it is to, and first versions are held against them, too. */
-static inline bool prove_rays(comparison *s, const ray_set *rays, bool by_brute, bool aimed,
-                              FILE *out)
+/* By the first that fits, against which the others are held; or by brute force, and first versions
+ * are counted: at borders, elsewhere, or not. */
+typedef enum { PROVE_ALIKE, PROVE_BORDERS, PROVE_OTHERS, PROVE_STRETCHED } prove_how;
+
+/* All entries on some rays. */
+static inline bool prove_rays(comparison *s, const ray_set *rays, prove_how how, FILE *out)
 {
+    bool by_brute = how != PROVE_ALIKE;
     const char *oracle = by_brute ? "brute force" : NULL;
     bool ok = true;
     hit *due = allocate(rays->n, sizeof *due);
@@ -321,9 +325,27 @@ static inline bool prove_rays(comparison *s, const ray_set *rays, bool by_brute,
         compare_progress(s->w->name, "proving", e->c->name);
         ok = prove_entry(e, &s->x, rays->r, due, rays->n, by_brute, oracle, out);
     }
-    if (by_brute) compare_count_wrong(s, rays, due, aimed);
+    if (how == PROVE_BORDERS || how == PROVE_OTHERS)
+        compare_count_wrong(s, rays, due, how == PROVE_BORDERS);
     compare_progress(s->w->name, NULL, NULL);
     free(due);
+    return ok;
+}
+
+/* n rays with long and short directions, re-aimed at what they hit: so that t is a power of two in
+ * many, and no rounding of t to float hides a comparison that is strict. */
+static inline bool prove_stretched(comparison *s, size_t n, uint64_t seed, FILE *out)
+{
+    ray_set rays = rays_aimed(s->w, n, seed + 1);
+    for (size_t i = 0; i < n; i++) {
+        ray *r = &rays.r[i];
+        hit h = hit_none;
+        if (items_hit(&s->x, *r, &h)) r->d = vsub(ray_at(*r, h.t), r->o);
+    }
+    rays_stretch(&rays);
+    bool ok = prove_rays(s, &rays, PROVE_STRETCHED, out);
+    s->proved += n, s->by_brute += n;
+    rays_free(&rays);
     return ok;
 }
 
@@ -333,9 +355,9 @@ static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, 
     most = compare_affords(s, most), brute_rays = compare_affords(s, brute_rays);
     ray_set extra[2] = {rays_aimed(s->w, brute_rays / 2, seed),
                         rays_everywhere(s->w, brute_rays / 4, seed)};
-    bool ok = true;
+    bool ok = prove_stretched(s, brute_rays / 8, seed, out);
     for (int k = 0; k < 2; k++) {
-        ok = ok && prove_rays(s, &extra[k], true, true, out);
+        ok = ok && prove_rays(s, &extra[k], PROVE_BORDERS, out);
         s->proved += extra[k].n, s->by_brute += extra[k].n;
         rays_free(&extra[k]);
     }
@@ -344,8 +366,8 @@ static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, 
     for (int k = 0; ok && k < compare_kinds; k++) {
         ray_set some = rays_some(&s->rays[k], brute_rays / 4 / compare_kinds + 1);
         ray_set more = rays_some(&s->rays[k], most);
-        ok = prove_rays(s, &some, true, false, out)
-             && (some.n == s->rays[k].n || prove_rays(s, &more, false, false, out));
+        ok = prove_rays(s, &some, PROVE_OTHERS, out)
+             && (some.n == s->rays[k].n || prove_rays(s, &more, PROVE_ALIKE, out));
         s->proved += fit > 1 && more.n > some.n ? more.n : some.n, s->by_brute += some.n;
         rays_free(&some), rays_free(&more);
     }

@@ -59,7 +59,7 @@ static inline bool growth_step(const compare_settings *c, measured_scenes *m, li
     compare_begin(&s, &w, now, c->most_bytes, quick ? 1 : 3);
     compare_rays(&s, quick ? 200 : compare_usual_rays, c->o->seed);
     ray_set some = rays_some(&s.rays[KIND_DIFFUSE], 4000);
-    bool ok = prove_rays(&s, &some, false, false, stdout);
+    bool ok = prove_rays(&s, &some, PROVE_ALIKE, stdout);
     rays_free(&some);
     cost_kind(&s, KIND_DIFFUSE, quick ? 1 : 5, cost_few);
     snprintf(s.name, sizeof s.name, "%zu", s.x.n);

@@ -71,10 +71,12 @@ static inline void verify_world(const compare_settings *c, const world *w)
     compare_rays(&s, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
     compare_say_share(&s, c->to);
     ray_set aimed = rays_aimed(w, compare_affords(&s, 2000), c->o->seed);
-    bool ok = prove_rays(&s, &aimed, true, true, stdout);
+    size_t stretched = aimed.n / 4;
+    bool ok = prove_rays(&s, &aimed, PROVE_BORDERS, stdout)
+              && prove_stretched(&s, stretched, c->o->seed, stdout);
     for (int k = 0; ok && k < compare_kinds; k++) {
         compare_progress(w->name, "by brute force, rays", kind_name[k]);
-        ok = prove_rays(&s, &s.rays[k], true, false, stdout);
+        ok = prove_rays(&s, &s.rays[k], PROVE_OTHERS, stdout);
     }
     compare_progress(w->name, NULL, NULL);
     end_if_wrong(ok, w->name);
@@ -83,10 +85,10 @@ static inline void verify_world(const compare_settings *c, const world *w)
         if (!e->s) printf("%s %s: does not fit: %s\n", w->name, label, e->why.text);
         else if (contender_is_first(e->c)) cost_print_wrong(e, c->to);
         else if (e->c != &brute_contender)
-            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, "
-                   "and those that end at their hits: as brute force\n", w->name, label,
-                   s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n, s.rays[KIND_DIFFUSE].n,
-                   s.rays[KIND_MIRROR].n, aimed.n);
+            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror, %zu aimed and %zu "
+                   "stretched rays, and those that end at their hits: as brute force\n", w->name,
+                   label, s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n, s.rays[KIND_DIFFUSE].n,
+                   s.rays[KIND_MIRROR].n, aimed.n, stretched);
     }
     fflush(stdout);
     rays_free(&aimed);
@@ -132,8 +134,8 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     compare_begin(&s, w, &c->chosen, c->most_bytes, 3);
     if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
-    end_if_wrong(prove_rays(&s, &some, true, false, stdout)
-                 && prove_rays(&s, &all, false, false, stdout), w->name);
+    end_if_wrong(prove_rays(&s, &some, PROVE_OTHERS, stdout)
+                 && prove_rays(&s, &all, PROVE_ALIKE, stdout), w->name);
     s.rays[kind] = all;
     cost_kind(&s, kind, 7, cost_full);
     for (int k = 0; k < s.entries; k++)  /* of all of them, as --costs has it, not of a sample */

@@ -6,7 +6,8 @@
  *                                         the hit: the interval is closed, so both find it (17.10)
  *
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
- * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays.
+ * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays. And one
+ * that forgets to scale t passes all whose direction is about as long as 1 (prove_stretched).
  */
 #ifndef COMPARE_LAB_PROOF_H
 #define COMPARE_LAB_PROOF_H
