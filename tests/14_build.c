@@ -10,6 +10,7 @@
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
+#include "wrong_ray.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -391,8 +392,9 @@ static void check_hits(const bvh_mesh *b, const bvh_mesh *anew, const mesh *m, c
         for (int way = 0; way < (found ? aimed_ways : 1); way++) {
             ray q = aimed_way(r, due.t, way);
             hit h = hit_none;
-            bool got = bvh_mesh_hit(b, q, &h);
-            wrong += !same(got, h, found, due) || bvh_mesh_occluded(b, q) != found;
+            bool got = bvh_mesh_hit(b, q, &h), off = !same(got, h, found, due);
+            if (off) print_wrong(what, q, due, h);
+            wrong += off || bvh_mesh_occluded(b, q) != found;
         }
     }
     check_equal(wrong, 0, "%s: the hits of a tree built anew", what);

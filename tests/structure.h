@@ -20,6 +20,7 @@
 #include "../chapters/07_mesh/scenes/stadium.h"
 #include "aimed.h"
 #include "check.h"
+#include "wrong_ray.h"
 
 typedef struct {
     const char *name;
@@ -52,18 +53,6 @@ typedef ray structure_ray_of(const items *x, random_stream *g, size_t i, const v
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The first ray whose answer is wrong, with all its digits: enough to ask it again. */
-static inline void structure_print_wrong(const structure *s, ray r, hit due, hit found)
-{
-    static size_t printed;
-    if (!s->name || printed++) return;  /* no name: it is meant to be wrong */
-    printf("%s: first wrong ray: o %.17g %.17g %.17g,\n    d %.17g %.17g %.17g, [%.17g, %.17g]\n",
-           s->name, (double)r.o.x, (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y,
-           (double)r.d.z, (double)r.tmin, (double)r.tmax);
-    printf("    due: t %.17g, item %u; found: t %.17g, item %u\n", (double)due.t, due.shape,
-           (double)found.t, found.shape);
-}
-
 /* The hit of brute force; t is infinite on a miss. */
 static inline hit structure_compare(const structure *s, const void *built, const items *x, ray r,
                                     structure_verdict *v)
@@ -76,7 +65,7 @@ static inline hit structure_compare(const structure *s, const void *built, const
         wrong |= w.empty > w.leaves;
         v->wrong_any += s->counted(built, r, NULL, &w) != ga;
     }
-    if (wrong) structure_print_wrong(s, r, a, b);
+    if (wrong && s->name) print_wrong(s->name, r, a, b);  /* no name: it is meant to be wrong */
     v->rays++, v->hits += ga, v->wrong += wrong;
     v->wrong_any += s->occluded(built, r) != ga;
     return a;
