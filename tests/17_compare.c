@@ -713,6 +713,21 @@ static void test_costs(void)
     check_equal(cost_ns(a, KIND_MIRROR), 0, "no rays, no time");
 }
 
+static void say_fewer(void *s) { cost_say_fewer(s, &(html_report){.path = NULL}); }
+
+/* Who was asked fewer rays of a kind is named, with how many. */
+static void test_fewer(void)
+{
+    line_up two = chosen_of("brute,bvh");
+    comparison s = {.entries = 2, .rays = {{NULL, 100}, {NULL, 30}}};
+    for (int k = 0; k < 2; k++)
+        s.entry[k] = (compare_entry){.choice = &two.of[k], .fits = true, .rays = {k ? 100 : 20, 30}};
+    child_result said = child_run(say_fewer, &s);
+    check_text(said.out, "# fewer rays of a kind, at 4e+07 steps and tests: brute 20\n", "one");
+    s.entry[0].rays[0] = 100;
+    check_text(child_run(say_fewer, &s).out, "", "nobody");
+}
+
 /* The corners of the lower envelope rise, though lines that are nearly as good are passed over. */
 static void test_cheapest(void)
 {
@@ -1137,6 +1152,7 @@ int main(void)
     test_open_ends();
     test_zero();
     test_costs();
+    test_fewer();
     test_cheapest();
     test_kept();
     test_growth();

@@ -19,7 +19,7 @@ int main(int argc, char **argv)
         {"angle", OPTION_REAL, &own.angle, 1e-3, 179, "of the view, degrees"},
         {"scene", OPTION_TEXT, &own.scene, 0, 0,
          "balls gears mount rings teapot tetra tree stadium soup needles or solids, alone"},
-        {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
+        {"scale", OPTION_INT, &own.scale, 0, 10000, "its size: what each allows is in MEASURED.md"},
         {"only", OPTION_TEXT, &own.only, 0, 0,
          "these structures, with options: bvh:leaf=8,kdtree:bonus=0"},
         {"sweep", OPTION_TEXT, &own.sweep, 0, 0,

@@ -4,8 +4,8 @@
  *                                                 outlines, poles and rims of round shapes, edges
  *                                                 of solids; in a mesh half as aimed.h does
  *   ray_set e = rays_everywhere(&w, n, seed)      from anywhere near to anywhere in it
- *   rays_stretch(&e)                              directions become 2^30 or 2^-30 long: t is tiny or
- *                                                 huge, and a search may have to scale it
+ *   rays_stretch(&e)                              directions become 2^30 or 2^-30 long: t is tiny
+ *                                                 or huge, and a search may have to scale it
  */
 #ifndef AABB_BORDERS_H
 #define AABB_BORDERS_H

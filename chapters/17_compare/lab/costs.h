@@ -202,6 +202,22 @@ static inline void cost_print_wrong(const compare_entry *e, html_report *to)
               e->choice->label, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
 }
 
+/* Whom most_work gave fewer rays than the scene has of a kind, and the fewest of theirs. */
+static inline void cost_say_fewer(const comparison *s, html_report *to)
+{
+    char text[4096];
+    int n = 0;
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        size_t least = SIZE_MAX;
+        for (int k = 0; k < compare_kinds; k++)
+            if (e->fits && e->rays[k] < s->rays[k].n && e->rays[k] < least) least = e->rays[k];
+        if (least < SIZE_MAX)  /* of 48 at most: there is room */
+            n += snprintf(text + n, sizeof text - (size_t)n, "%s %s %zu", n ? "," : "",
+                          e->choice->label, least);
+    }
+    if (n) html_note(to, "fewer rays of a kind, at %.0g steps and tests:%s", cost_full, text);
+}
+
 static inline void cost_table(const comparison *s, html_report *to)
 {
     char title[160];
@@ -219,6 +235,7 @@ static inline void cost_table(const comparison *s, html_report *to)
         if (e->fits && first) cost_print_wrong(e, to);
         if (!e->fits && !first) html_note(to, "%s does not fit: %s", e->choice->label, e->why.text);
     }
+    cost_say_fewer(s, to);
     cost_cheapest(s, to);
 }
 
