@@ -962,6 +962,8 @@ static void test_program(void)
         {0, "@a.nff @b.obj --up z --quick --only grid,bvh,example --report @r.html",
          {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
           "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
+        {0, "--quick --scene tetra --only grid,bvh --report @v.html",
+         {"v.html", "</p>\n<h2>Verdict</h2>\n<p>Of primary rays ", "v.html", " is the fastest; "}},
         {0, "@v.nff --from 0,-5,1 --at 0,0,0 --quick --only bvh",
          {"out", "v.nff: 1 shapes", "out", "\nbvh "}},
         {0, "@b.obj --quick --only first-mesh,bvh --report @r.html",

@@ -1,7 +1,8 @@
 /* html.h: where results go: to the screen, and into a report: one HTML file that needs no other.
  *
  *   html_report *r = html_begin(&o, "report.html", "Title");   path NULL: the screen alone
- *   html_element(r, "h2", "Verdict")   in the report alone
+ *   html_element(r, "h2", "Growth")    in the report alone
+ *   html_first(r, "p", text)           likewise, before all that is said otherwise
  *   html_note(r, "%zu rays", n)        "# 7 rays" on the screen, a paragraph in the report
  *   html_table(r, &t)                  output_extra_table, and in the report
  *   html_plot(r, &p, "x.svg")          output_plot, and in the report
@@ -13,12 +14,19 @@
 
 #include "../../../common/lab/report.h"
 
-typedef struct { const options *o; file_writer file; const char *path; } html_report;
+typedef struct {
+    const options *o;
+    file_writer file;
+    const char *path;
+    FILE *body;  /* kept, in `text`, until the end */
+    char *text;
+    size_t size;
+} html_report;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* NULL: there is no report. */
-static inline FILE *html_file(const html_report *r) { return r->file.stream; }
+static inline FILE *html_file(const html_report *r) { return r->body; }
 
 static inline void html_escaped(FILE *out, const char *text)
 {
@@ -66,27 +74,39 @@ cold_inline html_report *html_begin(const options *o, const char *path, const ch
     *r = (html_report){.o = o, .path = path};
     if (!path) return r;
     if (!file_begin(&r->file, path, &f)) fail(f);
-    fprintf(html_file(r),
+    FILE *out = r->file.stream;
+    r->body = open_memstream(&r->text, &r->size);
+    if (!r->body) die(1, "%s: no room for a report", path);
+    fprintf(out,
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
             "<title>%s</title>\n<style>\n%s</style></head><body>\n<h1>%s</h1>\n<p class=\"run\">",
             title, style, title);
-    if (uname(&u) >= 0) fprintf(html_file(r), "%s %s, %d cores; ", u.sysname, u.machine,
-                                parallel_cores());
-    html_processor(html_file(r));
-    fprintf(html_file(r), "%s%s; flags %s; real = %s</p>\n",
+    if (uname(&u) >= 0) fprintf(out, "%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
+    html_processor(out);
+    fprintf(out, "%s%s; flags %s; real = %s</p>\n",
             strstr(__VERSION__, "lang") ? "" : "gcc ", __VERSION__, BUILD_FLAGS,
             real_is_float ? "float" : "double");
     return r;
 }
 
 /* <tag>text</tag>, where there is a report. */
+static inline void html_tag(FILE *out, const char *tag, const char *text)
+{
+    if (!out) return;
+    fprintf(out, "<%s>", tag);
+    html_escaped(out, text);
+    fprintf(out, "</%.*s>\n", (int)strcspn(tag, " "), tag);
+}
+
 static inline void html_element(const html_report *r, const char *tag, const char *text)
 {
-    if (!html_file(r)) return;
-    fprintf(html_file(r), "<%s>", tag);
-    html_escaped(html_file(r), text);
-    fprintf(html_file(r), "</%.*s>\n", (int)strcspn(tag, " "), tag);
+    html_tag(html_file(r), tag, text);
+}
+
+static inline void html_first(const html_report *r, const char *tag, const char *text)
+{
+    html_tag(r->file.stream, tag, text);
 }
 
 __attribute__((format(printf, 2, 3)))
@@ -164,7 +184,9 @@ cold_inline void html_end(html_report *r)
 {
     failure f;
     if (r->path) {
-        fprintf(html_file(r), "</body></html>\n");
+        if (fclose(r->body) != 0) die(1, "%s: no room for a report", r->path);
+        fprintf(r->file.stream, "%s</body></html>\n", r->text);
+        free(r->text);
         if (!file_commit(&r->file, &f)) fail(f);
         output_note(r->path);
     }

@@ -118,8 +118,8 @@ static inline void compare_all(const compare_settings *c, const compare_options 
              "structures, %zu of them by brute force, before anything was timed. A time of a ray "
              "is %s on one thread, each structure warmed before its turn.",
              proved, by_brute, c->o->quick ? "of one turn" : "the median of several turns");
-    html_element(c->to, "h2", "Verdict");
-    html_element(c->to, "p", verdict);
+    summary_verdict(m, c->to);
+    html_first(c->to, "p", verdict);
     if (book && !c->o->full) summary_few(m, c->to);
     if (own->report || own->mesh[1] || (book && c->o->full)) summary_print(m, c->to);
     chart_show(m, c->to);

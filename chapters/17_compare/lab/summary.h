@@ -6,6 +6,7 @@
  *   measured_scenes m = {.chosen = &chosen};
  *   measured_add(&m, &s)                a scene that was measured; ends the comparison
  *   summary_print(&m, to)               the three
+ *   summary_verdict(&m, to)             at the head of the report: who is fastest, by kind of rays
  *   summary_few(&m, to)                 one: wrong hits, building in all scenes, diffuse rays
  *   measured_free(&m)
  */
@@ -103,6 +104,44 @@ static inline void summary_print(const measured_scenes *m, html_report *to)
     html_table(to, &t);
     summary_table(m, to, "All scenes: nanoseconds a ray", false, 1e9, 0);
     summary_table(m, to, "All scenes: milliseconds to build", false, 0, 1e3);
+}
+
+/* How many times as long as the fastest of each scene choice k takes for a ray, the geometric mean;
+ * HUGE_VAL: it is a first version, or was not timed everywhere. */
+static inline double summary_times(const measured_scenes *m, int k, compare_kind kind)
+{
+    double sum = 0;
+    for (const comparison *s = m->of; s < m->of + m->n; s++) {
+        double least = HUGE_VAL, its = cost_ns(&s->entry[k], kind);
+        for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+            double ns = cost_ns(e, kind);
+            if (ns > 0 && !contender_is_first(e->c)) least = fmin(least, ns);
+        }
+        if (!(its > 0) || contender_is_first(s->entry[k].c)) return HUGE_VAL;
+        sum += log(its / least);
+    }
+    return m->n ? exp(sum / (double)m->n) : HUGE_VAL;
+}
+
+static inline void summary_verdict(const measured_scenes *m, const html_report *to)
+{
+    html_first(to, "h2", "Verdict");
+    for (compare_kind kind = 0; kind < compare_kinds; kind++) {
+        double best = HUGE_VAL, next = HUGE_VAL;
+        const char *first = "", *second = "";
+        char text[300];
+        for (int k = 0; k < m->chosen->n; k++) {
+            double its = summary_times(m, k, kind);
+            const char *name = m->chosen->of[k].label;
+            if (its < best) next = best, second = first, best = its, first = name;
+            else if (its < next) next = its, second = name;
+        }
+        if (next == HUGE_VAL) continue;
+        snprintf(text, sizeof text, "Of %s rays %s is the fastest%s; %s, the next, takes %.3g times "
+                 "as long.", kind_name[kind], first, m->n > 1 ? " in the mean of all scenes" : "",
+                 second, next / best);
+        html_first(to, "p", text);
+    }
 }
 
 static inline void summary_few(const measured_scenes *m, html_report *to)
