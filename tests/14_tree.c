@@ -426,6 +426,24 @@ static double every_tree(const bvh_box *box, int n)
     return least;
 }
 
+/* Unit cubes in a row: the best tree has one and three, the greedy one pairs; the root is 25. */
+static void test_four_cubes(void)
+{
+    static const real at[4] = {0, 6, 11, 11};
+    mesh m = mesh_room(4);
+    bvh_item item[4];
+    bvh_mesh b;
+    for (size_t i = 0; i < 4; i++) {
+        m.v[3 * i] = vec(at[i], 0, 0), m.v[3 * i + 1] = vec(at[i] + 1, 1, 0);
+        m.v[3 * i + 2] = vec(at[i], 0, 1);
+        (void)triangle_item(&m, i, &item[i]);
+    }
+    check_close(greed_best(item, 4), 1 + 16 / 25.0, 1e-6, "four cubes, the best tree");
+    check(bvh_mesh_build(&m, by_rule(rule_number("sah"), 1, 0.3), &b, NULL), "built");
+    check_close(tree_cost_of(&b.tree).nodes, 1 + 18 / 25.0, 1e-6, "four cubes, the greedy tree");
+    bvh_mesh_free(&b), mesh_free(&m);
+}
+
 /* The best tree against all trees, and no rule below it. */
 static void test_greed(void)
 {
@@ -531,6 +549,7 @@ int main(void)
     test_closed_form();
     test_reach();
     test_greed();
+    test_four_cubes();
     test_shared_area();
     bvh_mesh none = {.triangle = NULL};
     bvh_mesh_free(&none);
