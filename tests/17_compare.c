@@ -721,7 +721,8 @@ static void test_fewer(void)
     line_up two = chosen_of("brute,bvh");
     comparison s = {.entries = 2, .rays = {{NULL, 100}, {NULL, 30}}};
     for (int k = 0; k < 2; k++)
-        s.entry[k] = (compare_entry){.choice = &two.of[k], .fits = true, .rays = {k ? 100 : 20, 30}};
+        s.entry[k] = (compare_entry){.choice = &two.of[k], .fits = true,
+                                     .rays = {k ? 100 : 20, 30}};
     child_result said = child_run(say_fewer, &s);
     check_text(said.out, "# fewer rays of a kind, at 4e+07 steps and tests: brute 20\n", "one");
     s.entry[0].rays[0] = 100;

@@ -137,9 +137,9 @@ static inline void summary_verdict(const measured_scenes *m, const html_report *
             else if (its < next) next = its, second = name;
         }
         if (next == HUGE_VAL) continue;
-        snprintf(text, sizeof text, "Of %s rays %s is the fastest%s; %s, the next, takes %.3g times "
-                 "as long.", kind_name[kind], first, m->n > 1 ? " in the mean of all scenes" : "",
-                 second, next / best);
+        snprintf(text, sizeof text, "Of %s rays %s is the fastest%s; %s, the next, takes %.3g "
+                 "times as long.", kind_name[kind], first,
+                 m->n > 1 ? " in the mean of all scenes" : "", second, next / best);
         html_first(to, "p", text);
     }
 }
