@@ -108,7 +108,7 @@ static inline void summary_print(const measured_scenes *m, html_report *to)
 
 /* How many times as long as the fastest of each scene choice k takes for a ray, the geometric mean;
  * HUGE_VAL: it is a first version, or was not timed everywhere. */
-static inline double summary_times(const measured_scenes *m, int k, compare_kind kind)
+static inline double summary_times(const measured_scenes *m, int k, int kind)
 {
     double sum = 0;
     for (const comparison *s = m->of; s < m->of + m->n; s++) {
@@ -126,7 +126,7 @@ static inline double summary_times(const measured_scenes *m, int k, compare_kind
 static inline void summary_verdict(const measured_scenes *m, const html_report *to)
 {
     html_first(to, "h2", "Verdict");
-    for (compare_kind kind = 0; kind < compare_kinds; kind++) {
+    for (int kind = 0; kind < compare_kinds; kind++) {
         double best = HUGE_VAL, next = HUGE_VAL;
         const char *first = "", *second = "";
         char text[300];
