@@ -4,7 +4,7 @@
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
 # make soak       all tables, and all tests with eight times the counts   MINUTES=30: half an hour of random numbers
-# make tax        27's last table: what being general costs, against 18, 19 and 26; part of full-27
+# make tax        what being general costs 27, against 18, 19 and 26, and a verdict; the table is part of full-27
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
@@ -212,7 +212,7 @@ $(CHAPTERS:%=full-%): full-%: $(BUILD)/%
 	$(Q)$(if $(filter 27_%,$*),$(BUILD)/27_tax)
 full-27_effects tax: $(BUILD)/27_tax
 tax:
-	$(Q)$(BUILD)/27_tax
+	$(Q)$(BUILD)/27_tax --verdict
 define run_number
 .PHONY: run-$(1) full-$(1)
 run-$(1): $(addprefix run-,$(filter $(1)_%,$(CHAPTERS)))
