@@ -61,9 +61,10 @@ static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
     return studio_read(text, NULL, s, f);
 }
 
-/* One panel of w x h and its rows; samples: of scenes of chance, of others; first: or NULL. */
+/* One panel of w x h and its rows; samples: of scenes of chance, of others; first: or NULL. What it
+ * took is of so many samples; the picture has `finer` times as many. */
 static inline bool six_panel(const options *o, const six_scene *list, int k, int w, int h,
-                             const int samples[2], table *t, table *first, image *im)
+                             const int samples[2], int finer, table *t, table *first, image *im)
 {
     studio s;
     studio_view v;
@@ -78,9 +79,10 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     effects_stage_view(&e, &v, c);
     effects_stage_effects(&e, p.effects);
     drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed, .width = w, .height = h};
-    drawing all = j;
-    all.width = w / 6, all.height = h / 6;
+    drawing all = j, fine = j;
+    all.width = w / 6, all.height = h / 6, fine.samples *= finer;
     bool whole = draw_image(&j, im, o->threads);
+    if (whole && finer > 1) image_free(im), whole = draw_image(&fine, im, o->threads);
     if (whole && first) first_row(first, list[k].name, &s, &v, &j, im);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
     whole = whole && draw_image(&all, &small, o->threads);
@@ -97,17 +99,17 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
         rays[i] = (double)draw_rays(&d->counts) / draw_pixels(d);
         table_number(t, rays[i]), table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
     }
-    snprintf(called, sizeof called, "%.2g of %.2g rays: %s", rays[0] / j.samples,
-             rays[1] / j.samples, integrator_of(p.effects));
-    if (w >= six_width) label_tag(im, 4, h - 19, 9, called);
+    snprintf(called, sizeof called, "%.3g of %.3g rays a pixel", rays[0], rays[1]);
+    if (w >= six_width)
+        label_tag(im, 4, h - 36, 9, integrator_of(p.effects)), label_tag(im, 4, h - 19, 9, called);
     image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return whole;
 }
 
 /* Panels of w pixels, so many across; the table is left to the caller. False: stopped. */
 static inline bool six_draw(const options *o, const six_scene *list, int n, int across, int w,
-                            const int samples[2], const char *file, bool is_main, table *t,
-                            table *first)
+                            const int samples[2], int finer, const char *file, bool is_main,
+                            table *t, table *first)
 {
     int h = w * six_height / six_width;
     const char *title[six_count];
@@ -116,7 +118,7 @@ static inline bool six_draw(const options *o, const six_scene *list, int n, int 
     for (int k = 0; k < n; k++) title[k] = list[k].title;
     for (int k = 0; k < n && whole; k++) {
         image im;
-        whole = six_panel(o, list, k, w, h, samples, t, first, &im);
+        whole = six_panel(o, list, k, w, h, samples, finer, t, first, &im);
         image_place(&sheet, k % across * w, k / across * h, &im);
         image_free(&im);
     }
@@ -136,7 +138,7 @@ static inline bool draw_two(const options *o)
 {
     if (access(six_scenes, R_OK) != 0) return true;
     table t = six_table("Two scenes, two plans");
-    bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4},
+    bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4}, 1,
                           "27_effects_two.png", false, &t, NULL);
     if (whole) output_extra_table(o, &t);
     else table_free(&t);
@@ -149,7 +151,7 @@ cold_inline bool draw_six(const options *o, bool fine)
     table own = first_table("The same scenes by the short book's plan, first.h");
     table *first = fine ? NULL : &own;
     bool whole = six_draw(o, six_list, six_count, 3, o->quick ? six_width / 4 : six_width,
-                          fine ? (const int[2]){128, 32} : (const int[2]){16, 4},
+                          (const int[2]){16, 4}, fine ? 8 : 1,
                           fine ? "27_effects_six.png" : "27_effects.png", !fine, &t, first);
     if (whole && !fine) output_table(o, &t), output_extra_table(o, first);
     else table_free(&t), table_free(&own);
