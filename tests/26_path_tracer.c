@@ -463,7 +463,7 @@ static void test_rough_point(void)
     path_tracer_free(&t), lit_free(&s);
 }
 
-/* A closed white room in which nothing shines: 2^20 bounces a path, if one were traced. */
+/* A closed white room in which nothing shines: if a path were traced, it would have 50 bounces. */
 static void test_no_light(void)
 {
     lit_scene s;
@@ -473,7 +473,9 @@ static void test_no_light(void)
     uint16_t white = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(1, 1, 1))});
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, -3}), white);
     lit_end(&s);
-    path_tracer_of(&s, NULL, path_defaults, &t);
+    path_options how = path_defaults;
+    how.bounces = 50;
+    path_tracer_of(&s, NULL, how, &t);
     for (uint64_t i = 0; i < 100; i++) {
         path_random q = path_start(&t.how, 13, i, 0, 1);
         vec3 L = path_radiance(&t, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &q, &c);
@@ -481,6 +483,11 @@ static void test_no_light(void)
     }
     check_equal(path_rays(&c), 0, "rays in a scene without light");
     check_equal(c.paths, 100, "paths asked for");
+    t.dark = false;
+    path_random q = path_start(&t.how, 13, 0, 0, 1);
+    vec3 L = path_radiance(&t, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &q, &c);
+    check(vzero(L), "nor along a path that is traced");
+    check_equal(path_rays(&c), 51, "rays that are spared, of one path");
     path_tracer_free(&t), lit_free(&s);
 }
 
