@@ -35,9 +35,10 @@ static void make_files(void)
     put("broken.obj", "v 0 0 0\nf 1 2 3\n");
     put("broken.nff", "s 0 0 0 1\nz");
     put("grey.obj", "mtllib /c/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
-    put("shells.scene", "material a\nillum 6\nNi 1.1\nsphere 0 0 0 1\nsphere 0 0 0 .9\n"
-        "sphere 0 0 0 .8\nsphere 0 0 0 .7\nsphere 0 0 0 .6\nsphere 0 0 0 .5\nsphere 0 0 0 .4\n"
-        "sphere 0 0 0 .3\n");
+#define SEVEN_SHELLS "material a\nillum 6\nNi 1.1\nsphere 0 0 0 1\nsphere 0 0 0 .9\n" \
+    "sphere 0 0 0 .8\nsphere 0 0 0 .7\nsphere 0 0 0 .6\nsphere 0 0 0 .5\nsphere 0 0 0 .4\n"
+    put("seven.scene", SEVEN_SHELLS);
+    put("shells.scene", SEVEN_SHELLS "sphere 0 0 0 .3\n");
     put("empty.scene", "# nothing yet\n");
     put("far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n");
 }
@@ -81,7 +82,9 @@ static void test_said(void)
         {2, "@broken.scene --quick @broken.obj", "broken.obj: one file at a time"},
         {0, "@grey.obj --quick --out @o.pfm",
          "grey.obj: no file '/c/none.mtl': what it describes stays grey"},
-        {0, "@shells.scene --quick --out @o.pfm", "warning: more than 7 bodies lie around"},
+        {2, "@shells.scene --quick --out @shells.pfm", "more than 7 bodies of glass lie around"},
+        {2, "@shells.scene --quick --out @shells.pfm --camera 'from 0 0 0 at 0 0 1'",
+         "more than 7 bodies of glass lie around"},
         {0, "@empty.scene --quick --out @o.pfm", "empty.scene: no shape and no mesh"},
         {2, "@far.scene --quick --out @o.pfm", "far.scene:"},
         {1, room "--resume /dev/zero", "/dev/zero: cannot read: a device"},
@@ -99,6 +102,8 @@ static void test_said(void)
     draws(room "--samples 2 --save @s.state --out @o.pfm");
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         ends(list[k].status, list[k].arguments, "err", list[k].says);
+    check(access(in_directory("shells.pfm"), F_OK) != 0, "no picture of what is refused");
+    draws("@seven.scene --quick --out @seven.pfm");
     draws(resumed);
     put("floor.obj", "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -8\nf 1 2 3 4\n");
     ends(2, resumed, "err", "of another picture: it has 'scene");

@@ -103,7 +103,7 @@ static void test_whitted(void)
                 vec3 o = vec(some(&s, -0.4, 0.6), some(&s, 0.3, 1.3), some(&s, -0.4, 0.6));
                 r = ray_from(o, vunit(d));
             }
-            media_set in = bodies_around(&q.e, r.o);
+            media_set in = bodies_around(&q.e, r.o, NULL);
             tracer t = {.w = &c.e->t.world, .program = whitted_programs, .user = &c.how};
             vec3 a = seen_along(&q, r), b = whitted_ray(&t, r, in);
             b = vscale(b, 1 / whitted_square(&c.how, &in));
@@ -197,14 +197,17 @@ static void test_shells(void)
     for (int k = 1; k <= 9; k++)
         snprintf(text + strlen(text), 60, "material m%d\nKd 0\nillum 7\nsphere 0 0 0 %d\n", k, k);
     set_up(&q, text);
-    media_set all = bodies_around(&q.e, (vec3){0, 0, 0});
+    effects_counts c = {.lost = 0};
+    media_set all = bodies_around(&q.e, (vec3){0, 0, 0}, &c);
     check_equal(all.n, media_most, "in nine bodies: the most that are noted");
+    check_equal(c.lost, 1, "and it is told that there are more");
     for (uint32_t k = 1; k <= 3; k++) {
-        media_set in = bodies_around(&q.e, vec(0, 0, 9.5 - k));
+        media_set in = bodies_around(&q.e, vec(0, 0, 9.5 - k), &c);
         check_equal(in.n, k, "in the outermost %u", (unsigned)k);
         check(in.n == k && media_has(&all, in.body[k - 1]) == (k == 3),
               "%u from without: noted from the middle or not", (unsigned)k);
     }
+    check_equal(c.lost, 1, "of three bodies none is lost");
     tear_down(&q);
 }
 
@@ -220,7 +223,8 @@ static void test_alone(void)
         effects_counts c = {.lost = 0};
         ray up = ray_from((vec3){0, 0, 3}, (vec3){0, 1, 0});
         effects_stage_effects(&q.e, way[k]);
-        vec3 L = effects_made_for(way[k])(&q.e, up, bodies_around(&q.e, (vec3){0, 0, 0}), &d, &c);
+        media_set in = bodies_around(&q.e, (vec3){0, 0, 0}, NULL);
+        vec3 L = effects_made_for(way[k])(&q.e, up, in, &d, &c);
         check_equal(L.x, k ? 0 : 1, "sky, begun in fog, with refraction: %d", k);
     }
     tear_down(&q);
@@ -288,7 +292,7 @@ static void test_begins_elsewhere(void)
 static estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
 {
     effects_function *f = effects_made_for(q->e.mask);
-    media_set in = bodies_around(&q->e, r.o);
+    media_set in = bodies_around(&q->e, r.o, NULL);
     effects_counts c = {.lost = 0};
     estimate m = {0};
     size_t bad = 0;
@@ -491,7 +495,7 @@ static void test_rough_point(void)
             if (wi.z < 0) exact *= (double)(n2 * n2 / (n1 * n1));
             dice d = dice_start(1, k, 0);
             effects_counts c = {.lost = 0};
-            vec3 L = effects_made_for(q.e.mask)(&q.e, from, bodies_around(&q.e, eye), &d, &c);
+            vec3 L = effects_made_for(q.e.mask)(&q.e, from, bodies_around(&q.e, eye, NULL), &d, &c);
             worst = check_worse(worst, fabs((double)L.x - exact) / (exact + 1e-3));
         }
         check_at_most(worst, 1e4 * (double)real_epsilon, "eye %s, light %s, %s: relative error",

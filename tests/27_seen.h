@@ -57,7 +57,7 @@ static inline vec3 seen_along(set *q, ray r)
     if (!q->e.chance) effects_stage_cut(&q->e, (real)1 / 512);
     dice d = dice_start(1, 1, 0);
     effects_counts c = {.lost = 0};
-    return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o), &d, &c);
+    return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o, NULL), &d, &c);
 }
 
 /* A wall in the sun, looked at past what follows; glass and water. Nothing matte is in glass: 27
@@ -104,7 +104,7 @@ static inline void along(const effects_stage *e, size_t n, estimate out[3])
         dice d = dice_start(9, i, 0);
         effects_counts c = {.lost = 0};
         ray r = camera_ray(e->eye, 8, 6, 16, 12);
-        vec3 L = f(e, r, bodies_around(e, r.o), &d, &c);
+        vec3 L = f(e, r, bodies_around(e, r.o, NULL), &d, &c);
         for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
     }
 }

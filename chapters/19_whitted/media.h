@@ -10,6 +10,7 @@
  *   media_set in = {0};                               the bodies that a ray is in: none
  *   uint32_t k = media_fills(m, &in)                  whose medium it is that fills the place
  *   media_enter(&in, k), media_leave(&in, k)          at most 7 at once: an eighth is not noted
+ *                                                     (27 refuses such scenes)
  *
  * One place of the ray may lie on several faces: water touches its glass; the bubble touches the
  * ball. A crossing holds them all, and only what is before and behind them all counts, so it does
@@ -97,18 +98,19 @@ static inline void media_leave(media_set *s, uint32_t body)
     s->n = n;
 }
 
-/* Kept by rising number. More than 8 bodies at one place: the rest is not noted. */
-static inline void media_crossing_add(media_crossing *c, uint32_t body, int sign)
+/* Kept by rising number. False: the ninth body at one place, which is not noted. */
+static inline bool media_crossing_add(media_crossing *c, uint32_t body, int sign)
 {
     int k = 0;
     while (k < c->n && c->face[k].body < body) k++;
     if (k == c->n || c->face[k].body != body) {
-        if (c->n == media_most_faces) return;
+        if (c->n == media_most_faces) return false;
         for (int j = c->n++; j > k; j--) c->face[j] = c->face[j - 1];
         c->face[k] = (media_face){.body = body};
     }
     if (sign > 0) c->face[k].in = true;
     else c->face[k].out = true;
+    return true;
 }
 
 static inline void media_begin(media_set *in, const media_crossing *c)

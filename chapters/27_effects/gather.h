@@ -91,7 +91,7 @@ static inline vec3 gather_clear(const effects_stage *e, media_set in, ray r, boo
         bool body = appearance_body(a), stands = false;
         if (body) touch_at(&e->t, e->look, e->near, false, r, x, &s, &at);
         if (at.opaque.h.shape != no_shape) stands = fabs(vdot(s.n, vsub(r.o, s.p))) <= at.more;
-        if (body && !stands) bodies_cross(e, &at.faces, &in, &after, c);
+        if (body && !stands) c->lost += at.full, bodies_cross(e, &at.faces, &in, &after, c);
         if (absorbs) left = vmul(left, gather_left(e, &in, x.h.t * vlength(r.d)));
         uint32_t inside = media_fills(e->media, &in), to = media_fills(e->media, &after);
         if (vzero(a->through) || stage_bends(e, a, body, inside, to)) break;

@@ -204,7 +204,7 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
 {
     touch at;
     touch_at(&e->t, e->look, e->near, always, b->r, met->x, &met->s, &at);
-    met->more = at.more, c->contacts += at.asked;
+    met->more = at.more, c->contacts += at.asked, c->lost += at.full;
     for (const media_face *k = at.faces.face; k < at.faces.face + at.faces.n; k++)
         if (k->in != k->out && e->look[k->body - 1].rough > e->look[met->m].rough)
             met->m = k->body - 1;

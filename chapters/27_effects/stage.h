@@ -42,7 +42,7 @@ enum {
 
 typedef struct {
     size_t rays[effects_rays];       /* [RAY_OF_EYE]: all that the eye sent */
-    size_t lost;                     /* bodies entered while within media_most others */
+    size_t lost;                     /* bodies for which 19's media.h had no room */
     size_t contacts;                 /* rays of touch.h */
 } effects_counts;
 

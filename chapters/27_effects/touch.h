@@ -8,6 +8,7 @@
  *     c.opaque    what else is there, on surface c.on
  *     c.more      how much farther away than by leave.h (18) rays must begin
  *     c.asked     it was looked for
+ *     c.full      more bodies are there than a crossing holds
  *
  *      air    |  glass  | water     Where glass and water touch, both walls are one place: taken
  *     --->----|---->----|---->      one by one, the first hides the second. [p - reach n,
@@ -33,7 +34,7 @@ typedef struct {
     studio_hit opaque;        /* h.shape no_shape: none */
     surface on;
     real more;                /* 0: nothing else is there */
-    bool asked;
+    bool asked, full;
 } touch;
 
 typedef struct {
@@ -155,7 +156,7 @@ static inline void touch_note(const touch_asking *q, studio_hit x)
         bool inwards = vdot(s.n, q->d) < 0;
         if (m == q->material && (inwards == (vdot(q->n, q->d) < 0)
                                  || !touch_parallel(s.n, q->n))) return;
-        media_crossing_add(&out->faces, m + 1, inwards ? 1 : -1);
+        out->full |= !media_crossing_add(&out->faces, m + 1, inwards ? 1 : -1);
     } else if (!vzero(a->through)) return;
     else if (out->opaque.h.shape == no_shape || hit_before(x.h, out->opaque.h))
         out->opaque = x, out->on = s;
@@ -214,7 +215,7 @@ static void touch_at(const studio_tree *t, const appearance *look, const touch_n
         : &near[of->shapes + (studio_hit_solid(t, x) ? of->places + no_shape - 1 - x.place
                                                      : x.place)];
     uint32_t m = studio_hit_material(t, x);
-    out->faces.n = 0, out->opaque.h.shape = no_shape, out->more = 0;  /* the rest is not read */
+    out->faces.n = 0, out->opaque.h.shape = no_shape, out->more = 0, out->full = false;
     out->asked = always || aabb_contains(at->box, s->p);
     if (appearance_body(&look[m]))
         media_crossing_add(&out->faces, m + 1, vdot(s->n, r.d) < 0 ? 1 : -1);

@@ -127,7 +127,7 @@ cold_inline void request_show(const options *o, request *q, const plan *p, effec
     int samples = o->samples > 0 ? o->samples : goal ? 0 : !e->chance ? 4 : o->quick ? 2
                 : page ? 64 : 16;
     drawing j = {.e = e, .seed = o->seed, .width = o->width, .height = o->height,
-                 .middle = samples == 1 && !e->chance && !long_run_given(l)};
+                 .middle = samples == 1 && !e->chance && !long_run_given(l), .strict = true};
     request_settings(q, o, e->s, e->mask);
     film f = long_run_begin(l, o, o->width, o->height);
     film_passes *pass = draw_begin(&j, o->threads);
@@ -138,9 +138,6 @@ cold_inline void request_show(const options *o, request *q, const plan *p, effec
     long_run_end(l, &to, &f, page ? "27_effects_demo.png"
                                   : picture_name("27_effects.png", q->path, room), whole);
     j.samples = (int)film_samples(&f), j.error = film_error(&f);
-    if (j.counts.lost)
-        fprintf(stderr, "%s: warning: more than %d bodies lie around one another: %zu times one "
-                "was taken for air\n", program_name, media_most, j.counts.lost);
     if (e->mask & EFFECTS_SPEND) {
         image im = film_picture(&f);
         whole = request_compare(&j, &im, p, e);

@@ -7,6 +7,8 @@
  *   passes_until(draw_begin(&j, threads), &f, goal)    the same on a film f, by passes
  *   draw_rays(&j.counts)              all rays
  *
+ * With j.strict more bodies around one another than media.h (19) holds end the program: exit 2.
+ *
  * Samples lie in the pixel by Sobol'; with j.middle in its middle: for one alone, without chance.
  */
 #ifndef EFFECTS_DRAW_H
@@ -20,7 +22,7 @@ typedef struct {
     int samples;              /* of a pixel: of draw_image */
     uint64_t seed;
     int width, height;
-    bool middle;
+    bool middle, strict;
     media_set around;         /* bodies that the eye is in */
     film_passes pass;
     effects_counts counts;
@@ -44,14 +46,22 @@ fast_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 }
 
 /* The bodies that the ray begins in, at the lens or `hither`: the eye's, if no glass is near. */
-static inline media_set draw_in(const drawing *j, ray r)
+static inline media_set draw_in(const drawing *j, ray r, effects_counts *c)
 {
     const effects_stage *e = j->e;
     vec3 begin = ray_at(r, r.tmin), eye = e->eye.e;
     const aabb between = {vmin(eye, begin), vmax(eye, begin)};
     if (aabb_is_empty(aabb_overlap(between, e->glass)) || vzero(vsub(begin, eye)))
         return j->around;
-    return bodies_from(e, eye, j->around, begin);
+    return bodies_from(e, eye, j->around, begin, c);
+}
+
+/* The light would not be right. */
+static inline void draw_refuse(const drawing *j)
+{
+    if (j->strict && j->counts.lost)
+        die(2, "more than %d bodies of glass lie around one another, or more than %d at one place "
+            "(single sheets are for illum 4 or 9)", media_most, media_most_faces);
 }
 
 /* The samples of a pass, of one pixel. */
@@ -66,7 +76,7 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
         dice d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
-        film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r), &d, c));
+        film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r, c), &d, c));
     }
     return sum;
 }
@@ -85,13 +95,14 @@ static inline void draw_tile(size_t tile, void *context)
         }
     to->tile[tile] = true;
     pthread_mutex_lock(&j->pass.lock);
-    effects_counts_add(&j->counts, &c);
+    effects_counts_add(&j->counts, &c), draw_refuse(j);
     pthread_mutex_unlock(&j->pass.lock);
 }
 
 static inline film_passes *draw_begin(drawing *j, int threads)
 {
-    j->around = bodies_around(j->e, j->e->eye.e), j->counts = (effects_counts){.lost = 0};
+    j->counts = (effects_counts){.lost = 0};
+    j->around = bodies_around(j->e, j->e->eye.e, &j->counts), draw_refuse(j);
     j->pass = (film_passes){.tile = draw_tile, .job = j, .threads = threads};
     return &j->pass;
 }
