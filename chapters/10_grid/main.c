@@ -27,8 +27,10 @@ int main(int argc, char **argv)
     draw_grid(&o, &s, how, path);
     trial_scene_free(&s);
     if (path) return output_done(&o);
-    if (!o.out) draw_walk(&o), draw_early(&o), draw_stadium(&o);
+    bool only_tables = getenv("BENCH_ONCE") != NULL;  /* bench.h */
+    if (!o.out && !only_tables) draw_walk(&o), draw_early(&o), draw_stadium(&o);
     measure_variants(&o);
-    if (o.full) measure_density(&o), measure_drift(&o);
+    if (o.full && !only_tables) measure_density(&o);
+    if (o.full) measure_drift(&o);
     return output_done(&o);
 }
