@@ -5,6 +5,7 @@
 # of that title and precision, with the same header, the same rows and the same cells, but for those that
 # are times. FULL=1: the programs run with --full, and every table must be found; otherwise those that
 # the default run prints are compared. TABLES=no: no program runs, only the form of the pages is tested.
+# REAL=float: of programs built so, the tables in float, all of which must be found.
 # BRIEF: programs that run without --full even then, and whose other tables are not asked for.
 # KEEP, a folder by its whole path: what the programs print and their CSV are kept there, as notes.sh reads them.
 # BUILD names the directory of the programs, JOBS how many at a time.
@@ -61,6 +62,75 @@ sed 's/naive/robust/' "$scratch/same" >"$scratch/row"
 seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" double | cut -f1; done |
     tr '\n' ' ')
 if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
+
+# What one sees of a chapter's tables without running a program: a title without its line "real = ..", or a line without
+# its title; one title twice in the same precision, as when a table was written over another; a table in float that is
+# nowhere in double, as a reader's program prints it; a page with tables that names no command that prints them.
+form() {  # form FOLDER: a line for each fault
+    awk -v number="$(basename "$1" | cut -c1-2)" '
+        function block_ends() { last = title = ""; shown = 0 }
+        function page_ends() { if (tables && !command) print page ": no command prints its tables"
+                               tables = command = fence = 0; page = FILENAME; block_ends() }
+        function table(line,   real) {
+            real = last; tables++; gsub(/  +/, "|", line)
+            if (title !~ /^# / || !sub(/.*; real = /, "", real) || real !~ /^(double|float)$/)
+                print page ":" FNR ": no title, or no real = .., above: " line
+            else if (said[title, real, line]++) print page ":" FNR ": twice in " real ": " title
+            if (real == "float") float[title, line] = 1 }
+        function is_twin(t,   part) { split(t, part, SUBSEP)
+            if (!((part[1], "double", part[2]) in said)) print page ": said in float only: " part[1] }
+        FNR == 1 { page_ends() }
+        $0 ~ "(build/" number "_[a-z_]* --full|make (run|full)-" number ")" { command = 1 }
+        /^```/ { fence = !fence; block_ends(); next }
+        { line = $0; inside = sub(/^    /, "", line) || fence }
+        !inside && !/^ *$/ { block_ends(); next }
+        line ~ /^\$ / { shown = 1 }  # the command itself stands above what it printed
+        last ~ /^# / && line !~ /^# | = / && line ~ /[^ ]  +[^ ]/ && !shown { table(line) }
+        { title = last; last = line }
+        END { page_ends(); for (t in float) is_twin(t) }' "$1"/*.md
+}
+# figures FOLDER: numbers of its sentences that no table and no program has, and that have no command or test beside.
+figures() {
+    # shellcheck disable=SC2046
+    awk -f tests/figures.awk $(find "$1" -name '*.[ch]') "$1/README.md" "$1/MEASURED.md"
+}
+for folder in chapters/[0-9]*_*; do
+    faults=$(form "$folder"; figures "$folder")
+    if [ -z "$faults" ]; then ok; else no "$folder: $faults"; fi
+done
+# Both see what they are there to see, and nothing else.
+planted=$scratch/03_planted
+mkdir "$planted" && echo 'real pi = (real)3.14159;  /* not 555 */' >"$planted/first.h"
+cat >"$planted/README.md" <<'EOF'
+Right: 60 %, 599 thousandths, 1,024, 3.14, in 1975, 640 x 480, $7.77$, `8.88`, (9.99), RTR 26.1, 2 of 3.
+
+Wrong: 61 %, 9000, 0.71, 77 rays, 1.25, .598, and 555 of a comment. `build/03_planted --full` is no proof.
+
+- `make first-03` prints 4321, and `test_planted` asks it.
+
+    # A
+    # x; real = double
+    share  rays
+    0.599  1024
+EOF
+cat >"$planted/MEASURED.md" <<'EOF'
+    # A
+    # x; real = double
+    share  rays
+    599    7
+
+    # B
+    # x; real = float
+    share  rays
+    0.5    7
+
+    # C
+    # x
+    share  rays
+    0.5    7
+EOF
+seen="$(figures "$planted" | sed 's/.* //' | tr '\n' ' ')$(form "$planted" | sed 's/[^ ]*: //; s/ .*//' | tr '\n' ' ')"
+if [ "$seen" = "61 9000 0.71 77 1.25 .598 555 no no twice said " ]; then ok; else no "planted faults, seen: $seen"; fi
 
 # A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in
 # first.h or first.c, or in the header that its fence names (```c path.h), the numbers of its formulas rising, nothing in them that a renderer would drop, no
@@ -142,6 +212,8 @@ if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then report; exit; fi
 full() { case " ${BRIEF:-} " in *" $1 "*) ;; *) echo "${FULL:+--full}" ;; esac; }  # full NAME: does it run so?
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
+# Those that have tables in this precision.
+names=$(for name in $names; do grep -q "real = ${REAL:-double}$" "chapters/$name"/*.md && echo "$name"; done)
 run_one() {
     cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
     # shellcheck disable=SC2046
@@ -154,8 +226,7 @@ mkdir "$scratch/run"; : >"$scratch/run/failed"
 longest_first=$(printf '%s\n' "$names" | sort -r | awk '/^17/ { print; next } { rest = rest $0 "\n" } END { printf "%s", rest }')
 worker() {
     for name in $longest_first; do
-        if [ -x "$BUILD/$name" ] && cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" &&
-            mkdir "$scratch/run/$name" 2>/dev/null; then (run_one "$name"); fi
+        if [ -x "$BUILD/$name" ] && mkdir "$scratch/run/$name" 2>/dev/null; then (run_one "$name"); fi
     done
 }
 for name in $names; do [ -x "$BUILD/$name" ] || no "$name is not built"; done
@@ -168,12 +239,12 @@ wait
 for name in $names; do
     for page in README.md MEASURED.md; do
         if ! [ -f "$root/chapters/$name/$page" ] || ! [ -f "$scratch/run/$name.out" ]; then continue; fi
-        differ "$root/chapters/$name/$page" "$scratch/run/$name.out" "${REAL:-double}" "$(full "$name")" >"$scratch/found"
+        [ "${REAL:-double}" = float ] && all=yes || all=$(full "$name")
+        differ "$root/chapters/$name/$page" "$scratch/run/$name.out" "${REAL:-double}" "$all" >"$scratch/found"
         passed=$((passed + $(grep -c '^SAME' "$scratch/found")))
         while IFS='	' read -r verdict text; do
             [ "$verdict" = SAME ] || no "$name/$page: $verdict: $text"
         done <"$scratch/found"
-        # A table without its line "real = .." could not be compared: none may stand there.
     done
 done
 report
