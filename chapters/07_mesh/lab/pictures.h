@@ -11,7 +11,7 @@
 
 #include "../../../common/headlight.h"
 #include "../../../common/lab/panels.h"
-#include "../../02_camera/camera.h"
+#include "../scenes/camera_of.h"
 #include "../scenes/teapot.h"
 #include "trials.h"
 
@@ -46,7 +46,8 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     away = vwith(vwith(vwith(away, up, (real)0.45), right, (real)0.3), front, up == 2 ? -1 : 1);
     real radius = vlength(vsub(hi, lo)) / 2;
     if (!(radius > 0)) radius = 1;
-    if (!frame_look_at(vmadd(centre, vunit(away), 3 * radius), centre, above, &f, &why)) fail(why);
+    if (!frame_look_at(vmadd(centre, vunit(away), 3 * radius), centre, above, &f, &why))
+        model_fails(why);
     camera_window n = {real_infinity, -real_infinity, real_infinity, -real_infinity};
     for (size_t i = 0; i < 3 * m->triangles; i++) {
         vec3 q = vsub(m->v[m->index[i]], f.e);
@@ -60,7 +61,7 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     real half = (real)0.52 * real_max(n.top - n.bottom, (n.right - n.left) / a);
     if (!camera_off_axis(f, (camera_window){x - a * half, x + a * half, y - half, y + half}, 1,
                          &c, &why))
-        fail(why);
+        model_fails(why);
     return c;
 }
 

@@ -46,7 +46,9 @@ static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, fai
     w->group[w->groups++].finish = (finish){{1, 1, 1}, 1, 0, 0, 0, 0};
     w->light_each = 0.5;
     world_light(w, vmadd(vmadd(centre, toward, 3 * size), up, 2 * size));
-    return world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, f);
+    failure why;
+    if (world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, &why)) return true;
+    return failed(f, why.exit_code, "%.200s: %.250s", name, why.text);
 }
 
 /* One looks at the teapot, not at the hall. */

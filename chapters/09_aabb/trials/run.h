@@ -35,7 +35,7 @@ static inline void trial_build(trial_row *r, const trial_scene *s)
 {
     failure f;
     r->built = allocate(1, r->verbs->size);
-    if (!r->verbs->build(s, r->how, r->built, &f)) fail(f);
+    if (!r->verbs->build(s, r->how, r->built, &f)) model_fails(f);
 }
 
 static inline void trial_unbuild(trial_row *r)
