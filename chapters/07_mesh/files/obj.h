@@ -291,7 +291,8 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
     return ok;
 }
 
-/* Is there a file of this name [n bytes] in the folder of `path`? The model needs it: kept. */
+/* Is there a file of this name [n bytes] in the folder of `path`? A folder or a device is none, as
+ * file_open has it. The model needs it: kept. */
 static inline bool obj_beside(const char *path, const char *name, size_t n)
 {
     char file[4096];
@@ -299,7 +300,7 @@ static inline bool obj_beside(const char *path, const char *name, size_t n)
     const char *slash = strrchr(path, '/');
     int folder = slash && *name != '/' ? (int)(slash + 1 - path) : 0;
     snprintf(file, sizeof file, "%.*s%.*s", folder, path, (int)n, name);
-    if (access(file, R_OK) != 0 || stat(file, &s) != 0) return false;
+    if (access(file, R_OK) != 0 || stat(file, &s) != 0 || !S_ISREG(s.st_mode)) return false;
     file_keep(&s);
     return true;
 }
