@@ -81,13 +81,15 @@ static inline bool mtl_write(const char *path, const mesh *m, failure *f)
     return file_commit(&w, f);
 }
 
-/* Both, said in the program's last line; ends the program on failure. */
+/* Both, said in the program's last line; ends the program on failure: neither is written where one
+ * may not be. */
 static inline void mesh_write(const mesh *m, const char *path)
 {
     failure f;
     char *beside = allocate(strlen(path) + 1, 1);
     strcpy(beside, path), strcpy(beside + strlen(path) - 4, ".mtl");
-    if (!obj_write(path, m, &f) || (m->runs && !mtl_write(beside, m, &f))) fail(f);
+    if ((m->runs && !file_try(beside, &f)) || !obj_write(path, m, &f)
+        || (m->runs && !mtl_write(beside, m, &f))) fail(f);
     output_note(path);
     if (m->runs) output_note(beside);
     free(beside);
