@@ -148,6 +148,9 @@ static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, sho
     camera_frame frame;
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
+    if (m.runs)
+        fprintf(stderr, "%s: %.300s: materials are not used here: 27_effects does\n",
+                program_name, path);
     if (z_up) showcase_upright(m.v, m.vertices), showcase_upright(m.n, m.normals);
     bool some = mesh_bounds(&m, &lo, &hi);
     vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
