@@ -485,7 +485,8 @@ static void test_panels_stop(void)
         panel[k] = (trial_panel){.s = &s, .verbs = &verbs, .most = (real)k, .samples = 1,
                                  .colour = stopping_colour};
     signal(SIGINT, SIG_DFL);  /* in the background it may be ignored, and stays so (parallel.h) */
-    check(!trial_draw_panels(&all, 3, 1, 0, panel, 1), "three panels, stopped in the second");
+    check(!trial_draw_panels(&all, 3, 1, 0, panel, false, 1),
+          "three panels, stopped in the second");
     check(panels_asked[0] == 32 * 32 && panels_asked[1] == 16 * 16 && panels_asked[2] == 0,
           "asked: %d of the first, %d (a tile) of the second, %d of the third", panels_asked[0],
           panels_asked[1], panels_asked[2]);

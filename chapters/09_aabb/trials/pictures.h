@@ -4,9 +4,11 @@
  *   bool whole = pixels_draw(&im, 3, threads, "picture", trial_mesh_colour, &p);   headlight
  *   bool whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);      black nothing,
  *                                                   white p.most nodes and tests together
+ *   bool whole = trial_draw(&im, &side, threads, "picture", trial_mesh_colour, p);  of any mesh:
+ *                                                   where its rays are dear of fewer, and says so
  *   trial_panel panel[] = {{&s, &kdtree_trial, &how, camera, 120, 1, trial_work_colour}, ..};
- *   bool whole = trial_draw_panels(&all, columns, rows, 6, panel, threads);   6 pixels apart, each
- *                                     with its structure, camera and colours
+ *   bool whole = trial_draw_panels(&all, columns, rows, 6, panel, any, threads);   6 pixels apart,
+ *                                     each with its structure, camera and colours
  *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
  *   trial_draw_mesh(&o, &s, &v, &how, z_up, "14_bvh.png", path);   the main picture: under the
@@ -20,6 +22,7 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
+#include "../view_work.h"
 #include "bench.h"
 
 typedef struct {
@@ -56,6 +59,37 @@ static inline vec3 trial_work_colour(const void *picture, real x, real y)
     return work_colour((real)(w.nodes + w.tests) / p->most);
 }
 
+/* A ray for each square of `block` pixels: a smaller picture, enlarged. */
+static inline bool trial_draw_coarse(image *im, int block, int threads, const char *what,
+                                     pixels_colour *colour, trial_picture p)
+{
+    p.width = (im->width + block - 1) / block, p.height = (im->height + block - 1) / block;
+    image small = image_new(p.width, p.height);
+    bool whole = pixels_draw(&small, 1, threads, what, colour, &p);
+    for (int y = 0; y < im->height; y++)
+        for (int x = 0; x < im->width; x++)
+            image_set(im, x, y, image_get(&small, x * p.width / im->width,
+                                          y * p.height / im->height));
+    image_free(&small);
+    return whole;
+}
+
+/* *side: rays along each side of a pixel, as wanted, and as they were. */
+static inline bool trial_draw(image *im, int *side, int threads, const char *what,
+                              pixels_colour *colour, trial_picture p)
+{
+    double tests = view_tests(p.verbs->hit_counted, p.built, p.camera, im->width, im->height);
+    double some = *side * sqrt(view_share(tests));
+    int wanted = *side * *side, block = (int)ceil(1 / some);
+    if (some >= *side) return pixels_draw(im, *side, threads, what, colour, &p);
+    *side = some > 1 ? (int)some : 1;
+    printf("# %s: a ray takes %.3g tests: ", what, tests);
+    if (block == 1) printf("%d a pixel instead of %d\n", *side * *side, wanted);
+    else printf("one for %d x %d pixels instead of %d a pixel\n", block, block, wanted);
+    return block == 1 ? pixels_draw(im, *side, threads, what, colour, &p)
+                      : trial_draw_coarse(im, block, threads, what, colour, p);
+}
+
 typedef struct {
     const trial_scene *s;
     const trial_verbs *verbs;
@@ -74,9 +108,9 @@ static inline void trial_build_one(size_t i, void *builds)
     trial_build(&b->row[i], b->panel[i].s);
 }
 
-/* At most 16 panels. */
+/* At most 16 panels. any: of a mesh that may be anyone's: trial_draw. */
 static inline bool trial_draw_panels(image *all, int columns, int rows, int gap,
-                                     const trial_panel *panel, int threads)
+                                     const trial_panel *panel, bool any, int threads)
 {
     int w = (all->width + gap) / columns - gap, h = (all->height + gap) / rows - gap;
     int n = columns * rows;
@@ -91,8 +125,10 @@ static inline bool trial_draw_panels(image *all, int columns, int rows, int gap,
         const trial_panel *p = &panel[k];
         trial_picture place = {p->verbs, row[k].built, &p->s->m, p->camera, im.width, im.height,
                                p->most};
+        int side = p->samples;
         if (whole) {  /* Ctrl-C stops all of them, not the one in hand */
-            whole = pixels_draw(&im, p->samples, threads, "picture", p->colour, &place);
+            whole = any ? trial_draw(&im, &side, threads, "picture", p->colour, place)
+                        : pixels_draw(&im, side, threads, "picture", p->colour, &place);
             image_place(all, k % columns * (w + gap), k / columns * (h + gap), &im);
         }
         trial_unbuild(&row[k]);
@@ -112,7 +148,7 @@ static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z
     camera c = camera_of(lo, hi, z_up, (real)(w > 1 ? w : 1) / (real)(h > 1 ? h : 1));
     for (int k = 0; k < n; k++)
         panel[k] = (trial_panel){s, p.verbs, how[k], c, p.most, 1, trial_work_colour};
-    return trial_draw_panels(all, across, down, 0, panel, threads);
+    return trial_draw_panels(all, across, down, 0, panel, true, threads);
 }
 
 static inline void trial_draw_mesh(const options *o, const trial_scene *s, const trial_verbs *v,
@@ -128,7 +164,7 @@ static inline void trial_draw_mesh(const options *o, const trial_scene *s, const
     camera c = camera_of(lo, hi, z_up, (real)o->width / (real)o->height);
     trial_picture p = {v, r.built, &s->m, c, o->width, o->height, 0};
     double start = clock_seconds();
-    bool whole = pixels_draw(&im, samples, o->threads, "picture", trial_mesh_colour, &p);
+    bool whole = trial_draw(&im, &samples, o->threads, "picture", trial_mesh_colour, p);
     printf("# %zu triangles: built in %.3f s, %d x %d pixels of %d rays in %.3f s\n",
            s->m.triangles, r.build, o->width, o->height, samples * samples,
            clock_seconds() - start);

@@ -102,7 +102,8 @@ static inline void grid_draw(const options *o, const grid_sheet *g, const char *
     image im = image_new(g->width, g->height);
     int n = g->panels, gap = g->width >= 24 ? 6 : 0, w = (g->width + gap) / n * g->bars - gap;
     real most = g->panel[n - 1].most;
-    bool whole = trial_draw_panels(&im, n, 1, gap, g->panel, o->threads), log = most > 1000;
+    bool whole = trial_draw_panels(&im, n, 1, gap, g->panel, is_main, o->threads);
+    bool log = most > 1000;
     if (g->width >= 200 * n) label_titles(&im, n, 1, gap, g->title);
     if (g->width >= 200 * n && g->bars) {
         label_below(&im, bar);

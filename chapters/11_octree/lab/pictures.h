@@ -98,6 +98,7 @@ cold_inline void draw_octree(const options *o, const trial_scene *s, const char 
     const octree_options how = octree_defaults;
     vec3 lo, hi;
     char name[512];
+    int side = o->quick ? 1 : 3;
     trial_row r = {.verbs = &octree_trial, .how = &how};
     image im = image_new(o->width, o->height);
     trial_time_build(&r, s, 1);
@@ -105,7 +106,7 @@ cold_inline void draw_octree(const options *o, const trial_scene *s, const char 
     camera c = camera_of(lo, hi, !path, (real)o->width / (real)o->height);
     trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height,
                        octree_most_work};
-    bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "cells", cells_colour, &p);
+    bool whole = trial_draw(&im, &side, o->threads, "cells", cells_colour, p);
     structure_stats st = octree_stats(r.built);
     printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "
            "%.2f references a shape, %.1f bytes\n", s->m.triangles, st.depth, r.build, st.leaves,
@@ -159,7 +160,7 @@ cold_inline void draw_faults(const options *o)
     for (int k = 0; k < 4; k++)
         panel[k] = (trial_panel){&s[k / 2], k % 2 ? &octree_trial : &octree_textbook_trial, &how,
                                  c[k / 2], 0, 1, fault_colour};
-    bool whole = trial_draw_panels(&all, 2, 2, 6, panel, o->threads);
+    bool whole = trial_draw_panels(&all, 2, 2, 6, panel, false, o->threads);
     label_titles(&all, 2, 2, 6, title);
     output_picture(o, &all, "11_octree_faults.png", false, whole);
     trial_scene_free(&s[0]), trial_scene_free(&s[1]), image_free(&all);

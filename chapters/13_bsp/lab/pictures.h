@@ -64,7 +64,7 @@ cold_inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image 
     bool whole = true;
     vec3 lo, hi;
     int x = all->width / 2 + 10, y = all->height / 2 + 10;
-    int up = z_up ? 2 : 1;
+    int up = z_up ? 2 : 1, side = 1;
     if (!mesh_bounds(&s->m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
     if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
         lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
@@ -82,7 +82,7 @@ cold_inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image 
         trial_picture p = {&bsp_trial, r.built, &s->m, c, im.width, im.height, 90};
         whole = pixels_draw(&im, 3, threads, "cells", slice_colour, &slice);
         image_place(all, k * (all->width - im.width), 0, &im);
-        whole = whole && pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);
+        whole = whole && trial_draw(&im, &side, threads, "work", trial_work_colour, p);
         image_place(all, k * (all->width - im.width), all->height - im.height, &im);
         image_free(&im);
         trial_unbuild(&r);

@@ -8,11 +8,12 @@
 #define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
+#include "../../09_aabb/view_work.h"
 #include "../../24_direct_light/files/environment_read.h"
 #include "../files/long_run.h"
 #include "showcase.h"
 
-enum { command_most_parts = 4096 };
+enum { command_most_parts = 4096, command_most_tests = 1000000000 };  /* of a sample */
 static const char command_name[] = "26_path_tracer_render.png";
 typedef struct {
     const char *scene, *obj, *up, *sky, *range, *merge;
@@ -150,6 +151,30 @@ static inline void command_check(const command *c, const options *o)
         die(2, "--merge puts states together: it takes --save and --out only");
 }
 
+static inline bool command_ask(const void *parts, ray r, hit *out, search_work *w)
+{
+    return bvh8_hit_counted(&((const lit_parts *)parts)->part[0].tree, r, out, w);
+}
+
+/* Of a mesh with so many samples, which nobody asked for: fewer where each ray is dear. Where one
+ * is too many, the program ends, and says how to ask for it all the same. */
+static inline uint32_t command_affords(const command *c, const options *o, const shot *s,
+                                       uint32_t samples)
+{
+    if (!c->obj || c->range) return samples;
+    double tests = view_tests(command_ask, s->c.s.parts, s->c.eye, o->width, o->height);
+    uint32_t some = (uint32_t)(samples * view_share(tests));
+    if (some < 1 && tests * o->width * o->height > command_most_tests)
+        die(2, "%.200s: a ray takes %.3g tests, a sample of %d x %d pixels %.2g of them and more: "
+            "--samples 1 draws it all the same", c->obj, tests, o->width, o->height,
+            tests * o->width * o->height);
+    if (some < 1) some = 1;
+    if (some < samples)
+        printf("# a ray takes %.3g tests: %u samples a pixel instead of %u; --samples asks for "
+               "more\n", tests, some, samples);
+    return some;
+}
+
 cold_inline void command_run(command *c, const options *o)
 {
     command_check(c, o);
@@ -164,7 +189,8 @@ cold_inline void command_run(command *c, const options *o)
     command_scene(c, (real)o->width / (real)o->height, &s.c);
     shot_begin(&s, o, how, f);
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
-                     : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 16;
+                     : l->error > 0 || l->seconds > 0 ? 0
+                     : command_affords(c, o, &s, o->quick ? 4 : 16);
     film_passes *pass = render_passes(&s.j);
     bool whole = c->range ? passes_range(pass, &s.film, range.begin, range.end)
                           : passes_until(pass, &s.film, long_run_goal(l, samples));
