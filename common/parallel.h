@@ -21,6 +21,9 @@ typedef void pixel_job(int x, int y, void *context);
 static atomic_int parallel_stop;            /* set by Ctrl-C */
 static atomic_int parallel_signal = SIGINT; /* the last that stopped anything */
 static _Thread_local bool parallel_inside;  /* this thread is at work on a piece */
+/* Of work in parts, for its time left: when it began, the share done before, that of this part. */
+typedef struct { double start, before, share; } parallel_part;
+static parallel_part parallel_now = {0, 0, 1};  /* start 0: this is all of it */
 
 typedef struct {
     parallel_job *job;
@@ -42,11 +45,12 @@ static inline int parallel_stopped(void) { return 128 + atomic_load(&parallel_si
 
 static inline void parallel_show(parallel_work *w, size_t done)
 {
-    double now = clock_seconds(), spent = now - w->start, part = (double)done / (double)w->n;
-    if (now - w->shown < 0.2 || spent < 0.5 || done == 0) return;
+    double now = clock_seconds(), start = parallel_now.start > 0 ? parallel_now.start : w->start;
+    double part = parallel_now.before + parallel_now.share * (double)done / (double)w->n;
+    if (now - w->shown < 0.2 || now - start < 0.5 || done == 0) return;
     w->shown = now;
     fprintf(stderr, "\r%s: %s %.0f %%, %.0f s left \033[K", program_name, w->what, 100 * part,
-            spent * (1 / part - 1));
+            (now - start) * (1 / part - 1));
 }
 
 static inline void parallel_run(parallel_work *w, bool show)

@@ -45,6 +45,19 @@ static void test_tally(void)
     check_equal(tally_sum(&t), 0x1p-62, "and up again, across 0");
 }
 
+/* ---- how much is left ---- */
+
+/* Samples 24 to 39, where a picture of 8 goes on to 72; of error and time nobody knows the end. */
+static void test_part(void)
+{
+    passes_goal g = {.samples = 72}, timed = {.samples = 72, .seconds = 1},
+                good = {.samples = 72, .error = 1};
+    parallel_part p = passes_part(&g, 5, 8, 24, 40);
+    check(p.start == 5 && p.before == 0.25 && p.share == 0.25, "a quarter, after a quarter");
+    check(passes_part(&timed, 5, 8, 24, 40).start == 0, "of time: unknown");
+    check(passes_part(&good, 5, 8, 24, 40).start == 0, "of an error: unknown");
+}
+
 /* ---- film and state ---- */
 
 typedef struct { showcase c; path_tracer t; render_job j; } place;
@@ -473,6 +486,7 @@ int main(void)
 {
     if (!mkdtemp(directory)) return 1;
     test_tally();
+    test_part();
     test_ranges();
     test_windows();
     test_half_a_pass();

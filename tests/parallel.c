@@ -137,6 +137,16 @@ static void afterwards(void *context)
     (void)context;
 }
 
+/* A part of four pieces, of which two are done, is the second half of what began 30 s ago. */
+static void show_part(void *unused)
+{
+    (void)unused;
+    parallel_work w = {.what = "work", .n = 4, .start = clock_seconds() - 1};
+    parallel_now = (parallel_part){clock_seconds() - 30, 0.5, 0.5};
+    parallel_show(&w, 2);
+    exit(0);
+}
+
 /* Blocked before and after, so that no moment is left in which Ctrl-C kills. */
 static void blocked(void *context)
 {
@@ -214,6 +224,7 @@ static void silent(void *context)
 
 static void test_silent(void)
 {
+    check(strstr(child_run(show_part, NULL).err, "work 75 %, 10 s left"), "all parts count");
     check_text(child_run(silent, NULL).err, "", "no progress where stderr is no terminal");
 }
 

@@ -94,6 +94,16 @@ static inline bool passes_stopped(const sigset_t *both)
     return false;
 }
 
+/* Samples n .. next-1, of those that a goal of samples alone asks for, from `first` on. Else
+ * nobody knows how many passes come: what is left is said of each. */
+static inline parallel_part passes_part(const passes_goal *g, double begun, uint32_t first,
+                                        uint32_t n, uint32_t next)
+{
+    double all = (double)(g->samples - first);
+    if (g->error > 0 || g->seconds > 0) return (parallel_part){0, 0, 1};
+    return (parallel_part){begun, (n - first) / all, (next - n) / all};
+}
+
 static inline bool passes_until(film_passes *p, film *f, passes_goal goal)
 {
     double begun = clock_seconds();
@@ -102,13 +112,16 @@ static inline bool passes_until(film_passes *p, film *f, passes_goal goal)
     sigemptyset(&both), sigaddset(&both, SIGINT), sigaddset(&both, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &both, &before);
     if (goal.samples == 0) goal.samples = 1u << 30;
+    const uint32_t first = (uint32_t)film_samples(f);
     while (whole) {
         uint32_t n = (uint32_t)film_samples(f), next = passes_next(p, f, &goal, begun);
         if (next <= n || (goal.error > 0 && n >= 16 && film_error(f) <= goal.error)) break;
+        parallel_now = passes_part(&goal, begun, first, n, next);
         whole = passes_range(p, f, n, next);
         if (whole && goal.shown) goal.shown(f, goal.user);
         whole = whole && !passes_stopped(&both);
     }
+    parallel_now = (parallel_part){0, 0, 1};
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return whole;
 }
