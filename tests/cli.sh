@@ -226,6 +226,48 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     no_part
     cd "$root" || exit 1
 done
+# Models that make no view are named; what is no file is no library; nothing is written where one of two may not be;
+# where rays are dear there are fewer of them, or it is refused, and said.
+mkdir "$scratch/models" && cd "$scratch/models" || exit 1
+printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
+printf 'v 1e308 1 1\nv 1 -1e308 1\nv 1 1 1e308\nf 1 2 3\n' >far.obj
+printf 'mtllib mine.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0.2\nusemtl a\nf 1 2 3\n' >in.obj
+printf 'newmtl a\nKd 1 0 0\n' >mine.mtl
+sed 's,mine.mtl,/dev/zero,' in.obj >zero.obj
+sed 's,mine.mtl,.,' in.obj >folder.obj
+awk 'BEGIN { print "v 0 0 0\nv 1 0 0\nv 0 1 0.2"; while (n++ < 20000) print "f 1 2 3" }' >pile.obj
+tells() { if grep -q -e "$2" "$1"; then ok; else no "$1 lacks '$2': $(head -c 300 "$1")"; fi; }
+for name in 07_mesh 10_grid 11_octree 12_kdtree 13_bsp 14_bvh 15_wide_bvh 17_compare 26_path_tracer 27_effects; do
+    program=$BUILD/$name
+    [ -x "$program" ] || continue
+    for model in point far; do
+        case $name$model in  # which give a point and its surroundings a size
+        07_meshpoint | 13_bsppoint | 27_effectspoint) run 0 --quick --size 48x36 $model.obj ;;
+        *) run 2 --quick --size 48x36 $model.obj; tells err "^$name: $model.obj:" ;;
+        esac
+    done
+    case $name in
+    07_mesh)
+        run 0 --quick zero.obj; tells err "zero.obj: mtllib /dev/zero: no such file"
+        run 0 --quick folder.obj; tells err "folder.obj: mtllib .: no such file"
+        run 2 in.obj --save mine.obj; tells err "mine.mtl: not replaced"
+        if [ ! -e mine.obj ]; then ok; else no "a mesh without its materials"; fi
+        run 0 in.obj --save other.obj
+        if [ -s other.obj ] && [ -s other.mtl ]; then ok; else no "no mesh with materials"; fi ;;
+    10_grid | 11_octree | 12_kdtree | 13_bsp | 14_bvh | 15_wide_bvh)
+        run 0 --quick --size 96x72 --out pile.ppm pile.obj
+        tells out "a ray takes .* tests: one for .* pixels instead of"; whole pile.ppm
+        run 0 --quick --size 96x72 --out pile.ppm in.obj
+        if grep -q "instead of" out; then no "fewer rays of one triangle"; else ok; fi ;;
+    26_path_tracer)
+        run 0 --quick --size 48x36 in.obj; tells err "in.obj: materials are not used here"
+        if grep -q "instead of" out; then no "fewer samples of one triangle"; else ok; fi
+        run 2 --quick --size 640x640 pile.obj; says "pile.obj: a ray takes "; says "--samples 1 draws"
+        run 0 --quick --size 8x6 pile.obj; tells out "1 samples a pixel instead of 4"
+        run 0 --quick --size 8x6 --samples 2 pile.obj
+        if grep -q "instead of" out; then no "--samples is not heeded"; else ok; fi ;;
+    esac
+done
 # What holds many of them (together.sh), called by a name that is none of theirs.
 cd "$scratch" || exit 1
 for name in shapes structures light paths; do
