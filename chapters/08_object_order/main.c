@@ -14,8 +14,6 @@ int main(int argc, char **argv)
     orders_draw_flat(&o);
     orders_draw_edges(&o);
     orders_draw_shadow(&o);
-    orders_draw_mirror(&o);
-    orders_depths(&o);
     if (o.full) orders_times(&o), orders_shadows(&o);
     return output_done(&o);
 }

@@ -1,12 +1,11 @@
 /* orders.h: the scene of this chapter, its picture in both orders, and where they differ.
  *
- *   mesh m = orders_scene(n, wall)      teapot of n x n cells a patch, then two triangles of floor,
- *                                       then, if asked for, two of a mirror on the left
+ *   mesh m = orders_scene(n)            teapot of n x n cells a patch, then two triangles of floor
  *   camera c = orders_camera(a), orders_lamp()        a: width / height
  *   bool whole = orders_rays(&s, &m, c, threads)      s as raster_mesh leaves it, by mesh_hit
  *   orders_difference d = orders_compare(&a, &b, &m, c, bits)      a drawn, b by rays
- *   vec3 x = orders_colour(&m, pot, h, d, lit)        headlight, the first `pot` triangles
- *                                                   orange; tiles by the barycentrics of h
+ *   vec3 x = orders_colour(&m, h, d, lit)             headlight, the pot orange; tiles by the
+ *                                                   barycentrics of h
  *
  * A pixel of another triangle is explained if a ray a step of 2^-bits beside its middle hits the
  * triangle that was drawn, or at the same t: an edge passes within the step.
@@ -18,44 +17,30 @@
 #include "../../../common/parallel.h"
 #include "../../07_mesh/closest.h"
 #include "../../07_mesh/scenes/teapot.h"
-#include "../mirror_camera.h"
 #include "../raster.h"
 
 typedef struct { size_t other, unexplained, judged; double depth; } orders_difference;
-static const plane orders_mirror = {{-3.6, 0, 0}, {1, 0, 0}};
 static const vec3 orders_lamp_place = {6.1, -1.7, 8.3};
 enum { orders_floor = 2 };  /* triangles */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Two triangles a b c, a c d behind all others, with one normal. */
-static inline void orders_add(mesh *m, vec3 a, vec3 b, vec3 c, vec3 d, vec3 n)
+/* The floor is a b c, a c d, with one normal; it reaches behind the eye. */
+static inline mesh orders_scene(int n)
 {
-    uint32_t k = (uint32_t)m->vertices;
-    const vec3 corner[4] = {a, b, c, d};
-    const uint32_t index[6] = {k, k + 1, k + 2, k, k + 2, k + 3};
-    for (int i = 0; i < 4; i++) m->v[m->vertices++] = corner[i], m->n[m->normals++] = n;
-    memcpy(m->index + 3 * m->triangles, index, sizeof index);
-    m->triangles += 2;
-}
-
-static inline mesh orders_scene(int n, bool wall)
-{
-    mesh pot = teapot_mesh(n), m = {0};
-    m.v = allocate(pot.vertices + 8, sizeof *m.v), m.n = allocate(pot.vertices + 8, sizeof *m.n);
-    m.index = allocate(3 * (pot.triangles + 4), sizeof *m.index);
+    const vec3 floor[4] = {{-6, -12, 0}, {8, -12, 0}, {8, 10, 0}, {-6, 10, 0}};
+    mesh pot = teapot_mesh(n), m = {.triangles = pot.triangles + orders_floor};
+    uint32_t k = (uint32_t)pot.vertices, index[6] = {k, k + 1, k + 2, k, k + 2, k + 3};
+    m.vertices = m.normals = pot.vertices + 4;
+    m.v = allocate(m.vertices, sizeof *m.v), m.n = allocate(m.vertices, sizeof *m.n);
+    m.index = allocate(3 * m.triangles, sizeof *m.index);
     memcpy(m.v, pot.v, pot.vertices * sizeof *m.v);
-    for (size_t i = 0; i < pot.triangles; i++)
-        for (int k = 0; k < 3; k++) {
-            size_t at = 3 * i + (size_t)k;
-            m.index[at] = pot.index[at], m.n[pot.index[at]] = mesh_corner_normal(&pot, i, k);
-        }
-    m.vertices = m.normals = pot.vertices, m.triangles = pot.triangles;
+    memcpy(m.index, pot.index, 3 * pot.triangles * sizeof *m.index);
+    memcpy(m.index + 3 * pot.triangles, index, sizeof index);
+    for (size_t i = 0; i < 3 * pot.triangles; i++)
+        m.n[pot.index[i]] = mesh_corner_normal(&pot, i / 3, (int)(i % 3));
+    for (int i = 0; i < 4; i++) m.v[k + (uint32_t)i] = floor[i], m.n[k + (uint32_t)i].z = 1;
     mesh_free(&pot);
-    orders_add(&m, vec(-6, -12, 0), vec(8, -12, 0), vec(8, 10, 0), vec(-6, 10, 0), vec(0, 0, 1));
-    real x = orders_mirror.p.x;
-    if (wall) orders_add(&m, vec(x, -5, 0.2), vec(x, 6, 0.2), vec(x, 6, 4.5), vec(x, -5, 4.5),
-                         vec(1, 0, 0));
     return m;
 }
 
@@ -64,7 +49,6 @@ static inline camera orders_look(vec3 e, vec3 target, real phi, real a)
     return camera_at(e, target, vec(0, 0, 1), phi, a);
 }
 
-/* The floor reaches behind the eye. */
 static inline camera orders_camera(real a)
 {
     return orders_look(vec(3.7, -9.3, 5.4), vec(-0.1, 0.2, 1), 33, a);
@@ -129,16 +113,14 @@ static inline vec3 orders_point(const mesh *m, hit h)
     return barycentric_mix(t.a, t.b, t.c, h.u, h.v);
 }
 
-static inline vec3 orders_colour(const mesh *m, size_t pot, hit h, vec3 d, bool lit)
+static inline vec3 orders_colour(const mesh *m, hit h, vec3 d, bool lit)
 {
     if (h.shape == no_shape) return vec(0.75, 0.82, 0.9);
     vec3 p = orders_point(m, h), light = headlight(mesh_normal(m, h.shape, h.u, h.v), d);
-    if (h.shape >= pot + orders_floor) return vec(0.5, 0.5, 0.5);
+    bool pot = h.shape < m->triangles - orders_floor;
     bool white = ((int)floor(p.x) + (int)floor(p.y)) % 2 == 0;
-    vec3 tint = h.shape < pot ? vec(0.95, 0.6, 0.15) : white ? vec(0.6, 0.62, 0.65)
-                                                             : vec(0.08, 0.2, 0.32);
-    if (h.shape >= pot) light = vec(1, 1, 1);
-    else light = vmadd(vec(0.1, 0.1, 0.1), vmul(light, light), (real)0.9);
+    vec3 tint = pot ? vec(0.95, 0.6, 0.15) : white ? vec(0.6, 0.62, 0.65) : vec(0.08, 0.2, 0.32);
+    light = pot ? vmadd(vec(0.1, 0.1, 0.1), vmul(light, light), (real)0.9) : vec(1, 1, 1);
     return vscale(vmul(tint, light), lit ? 1 : (real)0.3);
 }
 

@@ -3,7 +3,6 @@
  *
  *   orders_measure(&o)       the main table: pixels that differ, time
  *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
- *   orders_depths(&o)        a plot: the gap that a stored depth tells, against depth
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
  */
 #ifndef ORDERS_MEASURE_H
@@ -49,7 +48,7 @@ static inline void orders_measure(const options *o)
     static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
         "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
     int nx = o->quick ? 40 : o->full ? 320 : 120, ny = nx * 3 / 4;
-    mesh m = orders_scene(o->quick ? 2 : 4, false);
+    mesh m = orders_scene(o->quick ? 2 : 4);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];
     double ms[orders_ways];
@@ -92,7 +91,7 @@ static inline void orders_times(const options *o)
     int drawn = plot_series(&p, "object order"), rays = plot_series(&p, "rays");
     camera c = orders_camera((real)nx / ny);
     for (int k = 0; k < 6; k++) {
-        mesh m = orders_scene(cells[k], false);
+        mesh m = orders_scene(cells[k]);
         int less = (int)fmax(1, sqrt((double)n * (double)m.triangles / 4e6));
         int few = nx / less > 4 ? nx / less : 4;
         orders_way way[2] = {{&m, c, nx, ny, 8, 0, 0}, {&m, c, few, few * 3 / 4, -1, 0, 0}};
@@ -114,40 +113,18 @@ static inline void orders_times(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The gap that floats tell at depth z, a share of z: (8.5), dx from one float to the next. usual:
- * of 1 - near / z, else of near / z, as raster.h stores it. */
-static inline double orders_depth_gap(bool usual, double near, double z)
-{
-    float x = (float)(usual ? 1 - near / z : near / z);
-    return z / near * (double)(nextafterf(x, 2) - x);
-}
-
-static inline void orders_depths(const options *o)
-{
-    plot p = plot_new("Gap that a depth buffer tells, near = 0.01", "depth z", "gap [share of z]",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int usual = 0; usual < 2; usual++) {
-        int series = plot_series(&p, usual ? "1 - near/z, float" : "near/z, float");
-        for (double z = 0.1; z < 2e4; z *= 10)
-            plot_add(&p, series, z, orders_depth_gap(usual, 0.01, z));
-    }
-    output_plot(o, &p, "08_object_order_depth.svg");
-}
-
-/* ---------------------------------------------------------------------------------------------- */
-
-typedef struct { orders_shade shade; int side; } orders_shadow;
+typedef struct { const raster *s; const mesh *m; int side; real bias; bool *dark; } orders_shadow;
 
 /* All pixels: by a map of side x side made anew, or (0) by rays. */
 static inline double orders_shadow_run(void *context)
 {
-    orders_shade j = ((orders_shadow *)context)->shade;
-    int side = ((orders_shadow *)context)->side;
+    const orders_shadow *j = context;
     shadow_map t = {0};
-    if (side) t = shadow_map_new(j.m, orders_lamp(), side, raster_default), j.map = &t;
-    orders_darken(j, 1);
-    if (side) shadow_map_free(&t);
-    return j.dark[0];
+    if (j->side) t = shadow_map_new(j->m, orders_lamp(), j->side, raster_default);
+    for (int k = 0; k < j->s->nx * j->s->ny; k++)
+        j->dark[k] = orders_dark(j->s, j->m, j->side ? &t : NULL, j->bias, k);
+    if (j->side) shadow_map_free(&t);
+    return j->dark[0];
 }
 
 static inline void orders_shadows(const options *o)
@@ -156,21 +133,21 @@ static inline void orders_shadows(const options *o)
     static const real bias[3] = {0, (real)0.04, (real)0.004};  /* the last is timed */
     enum { nx = 320, ny = 240 };
     static bool due[nx * ny], dark[nx * ny];
-    mesh m = orders_scene(4, false);
+    mesh m = orders_scene(4);
     raster s = raster_new(nx, ny);
     raster_mesh(&s, &m, orders_camera((real)nx / ny), raster_default);
     table t = table_new("Shadow maps against shadow rays", "texels|error: no bias [% of pixels]|"
                         "error: bias 0.04|error: bias 0.004|time [ms]");
     orders_shadow w[4];
     double ms[4];
-    for (int k = 0; k < 4; k++) w[k] = (orders_shadow){{&s, &m, NULL, bias[2], dark}, sides[k]};
+    for (int k = 0; k < 4; k++) w[k] = (orders_shadow){&s, &m, sides[k], bias[2], dark};
     bench_each(orders_shadow_run, w, sizeof *w, 4, 3, 1e3, ms);
-    orders_darken((orders_shade){&s, &m, NULL, 0, due}, o->threads);
+    memcpy(due, dark, sizeof due);  /* of the last: by rays */
     for (int k = 0; k < 4; k++) {
         table_text(&t, sides[k] ? "%d x %d" : "rays", sides[k], sides[k]);
         for (int j = 0; j < 3; j++) {
             size_t wrong = 0;
-            w[k].shade.bias = bias[j], orders_shadow_run(&w[k]);
+            w[k].bias = bias[j], orders_shadow_run(&w[k]);
             for (int i = 0; i < nx * ny; i++) wrong += dark[i] != due[i];
             table_number(&t, 100 * (double)wrong / (nx * ny));
         }
