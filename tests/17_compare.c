@@ -409,8 +409,7 @@ static void test_shrunk_box(const char *name)
           "%s: broken, and found out", name);
     char *text = written(out);
     check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
-    check(strstr(text, "built anew, it is right here"), "%s: what is broken is this tree: %s", name,
-          text);
+    check(strstr(text, "alone, it is right here"), "%s: only this tree is broken: %s", name, text);
     free(text), fclose(out);
     contender_free(e.c, e.s);
     world_free(&w);
@@ -484,12 +483,10 @@ static void test_lost_way(patient *p, bool any)
     const char *at = strstr(text, "begins at t = ");
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
     check_close(begins, (double)p->due.t - 3, 16 * (double)real_epsilon,
-                "%s: lost from more than 3 away: %s",
-                right.name, text);
+                "%s: lost from more than 3 away: %s", right.name, text);
     check(strstr(text, " itself: x "), "%s: where the shape is: %s", right.name, text);
-    at = strstr(text, "built of 1 shape alone: ");
-    uint32_t alone = at ? (uint32_t)strtoul(at + strlen("built of 1 shape alone: "), NULL, 10) : 0;
-    check(at && alone == p->due.shape, "%s: that shape is enough: %s", right.name, text);
+    snprintf(answer, sizeof answer, "built of shape %u alone, it is just as wrong", p->due.shape);
+    check(strstr(text, answer), "%s: that shape is enough: %s", right.name, text);
     free(text);
     p->c = right;
 }
@@ -504,16 +501,6 @@ static void test_patients(void)
         for (int any = 0; any < 2; any++) test_lost_way(p, any);
         patient_free(p);
     }
-}
-
-/* Takes the second hit on the way, where there is one: of two triangles, and of a ball alone. */
-static bool second_hit(const void *s, ray r, hit *out)
-{
-    hit h;
-    if (!bvh_hit(s, r, out)) return false;
-    r.tmin = out->t * (1 + 64 * real_epsilon);
-    if (bvh_hit(s, r, &h)) *out = h;
-    return true;
 }
 
 /* Wrong only where a direction is so long that searches scale t. */
@@ -539,38 +526,6 @@ static void test_unscaled(void)
         check(!compare_prove(&s, SIZE_MAX, 400, 7, out), "%s: t unscaled is found out", w.name);
         fclose(out), compare_end(&s), world_free(&w);
     }
-}
-
-/* The ray hits item i. */
-static bool meets(const items *x, uint32_t i, ray r)
-{
-    query q = query_of(r);
-    return query_ask(&q, x, i, false);
-}
-
-/* The fewest are so many, and the ray meets each. */
-static void test_fewest(const char *name, size_t fewest)
-{
-    world w = tiny(name);
-    scene all = world_scene(&w);
-    items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
-    contender broken = bvh_contender;
-    uint32_t *which = allocate(x.n, sizeof *which);
-    size_t wrong = 0, tried = 0;
-    ray_set eye = rays_view(&w, 12);
-    broken.hit = second_hit;
-    for (size_t i = 0; i < eye.n; i++) {
-        check_equal(fewest_of(&bvh_contender, &as_it_is, &x, eye.r[i], no_shape, which), 0,
-                    "%s: of what is right none is wrong", name);
-        size_t n = fewest_of(&broken, &as_it_is, &x, eye.r[i], no_shape, which);
-        if (n == 0) continue;
-        tried++;
-        wrong += n != fewest || which[0] > which[n - 1];
-        for (size_t k = 0; k < n; k++) wrong += !meets(&x, which[k], eye.r[i]);
-    }
-    check_equal(wrong, 0, "%s: so many shapes, met by the ray, of %zu rays", name, tried);
-    check_at_least(tried, 10, "%s: rays that meet two", name);
-    free(which), rays_free(&eye), world_free(&w);
 }
 
 static bool dreaming_hit(const void *s, ray r, hit *out)
@@ -1148,8 +1103,6 @@ int main(void)
     test_shrunk_box("tetra");
     test_shrunk_box("gears");
     test_patients();
-    test_fewest("teapot", 2);
-    test_fewest("balls", 1);
     test_unscaled();
     test_wrong_answers();
     test_open_ends();

@@ -1,62 +1,28 @@
-/* chart.h: bars (柱状图), a panel a scene: what a ray costs, and what building costs, by structure.
+/* chart.h: bars (柱状图) in the report, a drawing a scene: what a ray costs, and what building does.
  *
- *   chart_write(&m, out)                               of scenes: summary.h
- *   chart_show(&m, to)                                 in the report
- *   output_chart(&o, &m, "17_compare_time.svg")
+ *   chart_show(&m, to)                                 of scenes: summary.h
  *
- * Each kind of bar has its own scale in each panel, linear from 0 to the longest, or to four times
- * the median: what is longer is a broken bar. Brute force and the first versions are left to the
- * tables. Colours as in plot.h.
+ * Each kind of bar has its own scale in each drawing, linear from 0 to the longest, or to four
+ * times the median: what is longer is a broken bar. Brute force and the first versions are left to
+ * the tables. Colours as in plot.h.
  */
 #ifndef COMPARE_LAB_CHART_H
 #define COMPARE_LAB_CHART_H
 
 #include "summary.h"
 
+enum { chart_wide = 430, chart_row = 24, chart_bar_most = 190, chart_left = 90 };
+
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { chart_columns = 2, chart_wide = 430, chart_row = 24, chart_bar_most = 190 };
-
-static inline void chart_text(FILE *out, int x, int y, int size, const char *anchor,
-                              const char *text)
+/* Its end. */
+static inline int chart_bar(FILE *out, int y, int down, double value, double most, const char *fill)
 {
-    char style[64];
-    snprintf(style, sizeof style, "font-size=\"%d\" text-anchor=\"%s\"", size, anchor);
-    plot_text(out, x, y, style, text);
-}
-
-static inline void chart_rectangle(FILE *out, int x, int y, int across, int down, const char *fill)
-{
-    fprintf(out, "<rect x='%d' y='%d' width='%d' height='%d' fill='%s'/>\n", x, y, across, down,
-            fill);
-}
-
-static inline int chart_bar(FILE *out, int x, int y, int down, double value, double most,
-                            const char *fill)
-{
-    int bar = (int)(chart_bar_most * fmin(value / most, 1) + 0.5);
-    chart_rectangle(out, x, y, bar, down, fill);
-    if (value > most) chart_rectangle(out, x + bar - 16, y, 4, down, "white");
-    return bar;
-}
-
-/* The bars of a structure: ray [s], spread, and building [s a shape], over the longest. */
-static inline void chart_bars(FILE *out, int x, int y, const double of[3], const double most[2])
-{
-    char text[72];
-    if (of[0] <= 0) {
-        chart_text(out, x + 6, y + 15, 11, "start", "does not fit");
-        return;
-    }
-    int bar = chart_bar(out, x, y + 3, 9, of[0], most[0], "#0072B2");
-    int second = chart_bar(out, x, y + 13, 6, of[2], most[1], "#E69F00");
-    double off = bar * of[1];
-    const char *digits[2] = {of[0] < 1e-7 ? "%.3g, " : "%.0f, ", of[2] < 1e-7 ? "%.3g" : "%.0f"};
-    int n = snprintf(text, sizeof text, digits[0], of[0] * 1e9);  /* three at least, as in tables */
-    snprintf(text + n, sizeof text - (size_t)n, digits[1], of[2] * 1e9);
-    fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", x + bar - off,
-            y + 7, x + bar + off);
-    chart_text(out, x + 6 + (bar > second ? bar : second), y + 15, 11, "start", text);
+    const char *rectangle = "<rect x='%d' y='%d' width='%d' height='%d' fill='%s'/>\n";
+    int bar = (int)(chart_bar_most * fmin(value / most, 1) + 0.5), end = chart_left + bar;
+    fprintf(out, rectangle, chart_left, y, bar, down, fill);
+    if (value > most) fprintf(out, rectangle, end - 16, y, 4, down, "white");
+    return end;
 }
 
 static inline double chart_scale(double *x, int n)
@@ -65,64 +31,55 @@ static inline double chart_scale(double *x, int n)
     return n ? fmin(x[n - 1], 4 * median) : 1;
 }
 
-static inline void chart_panel(FILE *out, const comparison *s, int x, int y)
+/* A ray, and building a shape [ns]; the quartiles of the first. */
+static inline void chart_row_of(FILE *out, const comparison *s, const compare_entry *e, int y,
+                                const double most[2])
 {
-    double value[2][compare_most];
-    int n = 0;
-    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
-        if (entry_counts(e) && cost_mean(s, e) > 0)
-            value[0][n] = cost_mean(s, e), value[1][n++] = per(e->build, s->x.n);
-    const double most[2] = {chart_scale(value[0], n), chart_scale(value[1], n)};
-    char title[32];
-    snprintf(title, sizeof title, "%.31s", s->name);
-    chart_text(out, x + 90, y + 14, 13, "start", title);
-    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
-        const double of[3] = {cost_mean(s, e), cost_spread(e), per(e->build, s->x.n)};
-        const char *name = e->choice->label;
-        if (!contender_counts(e->c)) continue;
-        chart_text(out, x + 84, (y += chart_row) + 11, strlen(name) > 12 ? 9 : 12, "end", name);
-        chart_bars(out, x + 90, y - 4, of, most);
+    char text[72] = "does not fit";
+    double its = cost_mean(s, e) * 1e9, build = per(e->build, s->x.n) * 1e9;
+    int end = chart_left;
+    if (its > 0) {
+        end = chart_bar(out, y + 3, 9, its, most[0], "#0072B2");
+        double off = (end - chart_left) * cost_spread(e);
+        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", end - off,
+                y + 7, end + off);
+        int second = chart_bar(out, y + 13, 6, build, most[1], "#E69F00");
+        end = second > end ? second : end;
+        snprintf(text, sizeof text, "%.*f, %.*f", its < 100, its, build < 100, build);
     }
+    plot_text(out, end + 6, y + 15, "font-size=\"11\"", text);
+    plot_text(out, chart_left - 6, y + 15, strlen(e->choice->label) > 12
+              ? "font-size=\"9\" text-anchor=\"end\"" : "font-size=\"12\" text-anchor=\"end\"",
+              e->choice->label);
 }
 
-static inline void chart_write(const measured_scenes *m, FILE *out)
+static inline void chart_scene(FILE *out, const comparison *s)
 {
-    int rows = choose_counting(m->chosen).n + 1, scenes_here = (int)m->n;
-    int lines = (scenes_here + chart_columns - 1) / chart_columns;
-    int across = chart_columns * chart_wide, high = rows * chart_row + 16, all = 60 + lines * high;
+    double value[2][compare_most];
+    int n = 0, rows = 0, row = 0;
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        rows += contender_counts(e->c);
+        if (entry_counts(e) && cost_mean(s, e) > 0)
+            value[0][n] = cost_mean(s, e) * 1e9, value[1][n++] = per(e->build * 1e9, s->x.n);
+    }
+    const double most[2] = {chart_scale(value[0], n), chart_scale(value[1], n)};
+    int high = (rows + 1) * chart_row;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
-                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n", across, all, across, all);
-    chart_rectangle(out, 0, 0, across, all, "white");
-    chart_text(out, across / 2, 22, 15, "middle", "What a ray costs, and what building costs");
-    chart_rectangle(out, 94, 34, 20, 9, "#0072B2");
-    chart_rectangle(out, 354, 35, 20, 6, "#E69F00");
-    chart_text(out, 120, 43, 12, "start", "a ray [ns], median and quartiles");
-    chart_text(out, 380, 43, 12, "start", "building [ns a shape]");
-    for (int p = 0; p < scenes_here; p++)
-        chart_panel(out, &m->of[p], p % chart_columns * chart_wide, 56 + p / chart_columns * high);
+                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n", chart_wide, high, chart_wide,
+            high);
+    plot_text(out, chart_left, 16, "font-size=\"13\"", s->name);
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
+        if (contender_counts(e->c)) chart_row_of(out, s, e, ++row * chart_row, most);
     fprintf(out, "</svg>\n");
 }
 
-/* In the report alone. */
 static inline void chart_show(const measured_scenes *m, const html_report *to)
 {
-    if (!html_file(to)) return;
+    FILE *out = html_file(to);
     html_element(to, "h2", "What a ray costs, and what building costs");
-    fprintf(html_file(to), "<div class=\"wide\">");
-    chart_write(m, html_file(to));
-    fprintf(html_file(to), "</div>\n");
-}
-
-static inline void output_chart(const options *o, const measured_scenes *m, const char *name)
-{
-    char room[512];
-    failure f;
-    file_writer w;
-    const char *path = output_path(o, name, false, room);
-    if (path && !file_begin(&w, path, &f)) fail(f);
-    if (path) chart_write(m, w.stream);
-    if (path && !file_commit(&w, &f)) fail(f);
-    if (path) output_note(path);
+    html_element(to, "p", "Blue: a ray [ns], the median, and how far its quartiles are apart. "
+                 "Orange: building [ns a shape]. A broken bar is longer than there is room.");
+    for (size_t k = 0; out && k < m->n; k++) chart_scene(out, &m->of[k]);
 }
 
 #endif

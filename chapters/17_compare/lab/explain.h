@@ -14,15 +14,13 @@
  *   explain_shape(&x, &w, out)         the nearest box: the shape's own, and how far the point of
  *                                      the hit lies outside; boxes no wider than that lose it
  *
- *   explain_fewest(c, how, &x, &w, out)   the fewest shapes of which it is wrong, too (fewest.h)
+ *   explain_alone(c, how, &x, &w, out)    is it as wrong if built of that shape alone? Such a
+ *                                         structure is small enough to follow step by step
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
-#include "fewest.h"
-#include <stdio.h>
-
-enum { explain_most = 8 };  /* shapes that are named */
+#include "proof.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -101,42 +99,36 @@ static inline real box_outside(aabb b, vec3 p)
     return vaxis(out, vlongest(out));
 }
 
-static inline void print_box(FILE *out, aabb b, real far)
-{
-    fprintf(out, ": x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the hit is ",
-            (double)b.lo.x, (double)b.hi.x, (double)b.lo.y, (double)b.hi.y, (double)b.lo.z,
-            (double)b.hi.z);
-    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
-    else fprintf(out, "inside\n");
-}
-
 /* The shape's own box holds the point, but for rounding. */
 static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
 {
     aabb b;
     if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
-    fprintf(out, "  shape %u itself", w->due.shape);
-    print_box(out, b, box_outside(b, ray_at(w->r, w->due.t)));
+    real far = box_outside(b, ray_at(w->r, w->due.t));
+    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
+                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
+            (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
+    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
+    else fprintf(out, "inside\n");
 }
 
-static inline void explain_fewest(const contender *c, const contender_settings *how, const items *x,
-                                  const wrong_answer *w, FILE *out)
+static inline void explain_alone(const contender *c, const contender_settings *how, const items *x,
+                                 const wrong_answer *w, FILE *out)
 {
-    uint32_t *which = allocate(x->n, sizeof *which);
-    size_t n = fewest_of(c, how, x, w->r, w->due.shape, which);
-    aabb all = aabb_empty(), b;
-    if (n == 0) fprintf(out, "  built anew, it is right here: something changed it\n");
-    else fprintf(out, "  just as wrong if built of %zu shape%s alone:", n, n > 1 ? "s" : "");
-    for (size_t i = 0; i < n; i++) {
-        if (i < explain_most) fprintf(out, " %u", which[i]);
-        if (items_bounds(x, which[i], &b)) all = aabb_union(all, b);
-    }
-    if (n > 0) fprintf(out, n > explain_most ? " ..\n" : "\n");
-    if (n > 1 && w->due.shape != no_shape) {
-        fprintf(out, "  the box of these");
-        print_box(out, all, box_outside(all, ray_at(w->r, w->due.t)));
-    }
-    free(which);
+    failure f;
+    wrong_answer again;
+    hit due = hit_none;
+    uint32_t k = w->due.shape;
+    if (k == no_shape) return;
+    mesh m = x->m ? *x->m : (mesh){0};
+    scene alone = x->m ? (scene){0} : (scene){x->s->shapes + k, 1};
+    if (x->m) m.triangles = 1, m.index += 3 * (size_t)k;
+    items one = x->m ? items_of_mesh(&m) : items_of_scene(&alone);
+    items_hit(&one, w->r, &due);
+    void *s = contender_build(c, how, &one, SIZE_MAX, &f);
+    fprintf(out, "  built of shape %u alone, it is %s\n", k,
+            s && prove_ray(c, s, w->r, due, &again) ? "right here" : "just as wrong");
+    contender_free(c, s);
 }
 
 static inline void print_hit(FILE *out, const char *who, hit h)
@@ -162,7 +154,7 @@ static inline void explain_wrong(const contender *c, const contender_settings *h
     fflush(out);  /* what follows may take seconds */
     explain_window(c, s, w, out);
     explain_shape(x, w, out);
-    explain_fewest(c, how, x, w, out);
+    explain_alone(c, how, x, w, out);
 }
 
 #endif

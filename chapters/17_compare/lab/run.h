@@ -126,7 +126,6 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);
     end_if_wrong(growth_run(c), "growth");
-    output_chart(c->o, m, "17_compare_time.svg");
     end_if_wrong(regimes_run(c), "motion");
     orders_run(c);
 }
