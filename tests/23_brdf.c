@@ -512,6 +512,8 @@ static void test_naive(void)
     check(isinf(ggx_d_naive(tiny, up)), "textbook D, a^2 < epsilon: infinite");
     check_close(ggx_d(tiny, up) * pi * tiny * tiny, 1, 4 * eps, "D(n) = 1 / (pi a^2)");
     check(isinf(ggx_d_naive_f32(1e-4f, 1)), "textbook D in float, alpha = 1e-4: infinite");
+    check_close((double)ggx_d_naive_f32(1e-3f, 1) * (double)pi * 1e-6, 0.974, 1e-3,
+                "textbook D in float, alpha = 1e-3: off by 2.6 %%");
     /* halfway down its own lobe: tan = a, k = 2 z^2, D = 1 / (4 pi a^2 z^4) */
     real s = (real)13.7 * sqrt(real_epsilon), z = 1 / sqrt(1 + s * s);
     vec3 m = {s * z, 0, z};

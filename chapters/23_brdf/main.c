@@ -14,6 +14,6 @@ int main(int argc, char **argv)
                              NULL);
     draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
     measure_glossy(&o);
-    if (o.full) measure_furnace(&o), measure_naive(&o);
+    if (o.full) measure_furnace(&o);
     return output_done(&o);
 }

@@ -3,7 +3,6 @@
  *   measure_glossy(&o)   main table of a glossy surface, five ways to integrate; with --full of
  *                        three surfaces, six ways, and a plot
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
- *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
  */
 #ifndef BRDF_MEASURE_H
 #define BRDF_MEASURE_H
@@ -11,7 +10,6 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
-#include "brdf_naive.h"
 #include "../first.h"
 #include "reference.h"
 
@@ -209,71 +207,6 @@ static inline void measure_furnace(const options *o)
     }
     output_extra_table(o, &t);
     output_plot(o, &p, "23_brdf_albedo.svg");
-}
-
-/* ---- naive beside right ---- */
-
-typedef real one_value(real parameter, vec3 wi, vec3 wo);
-
-static inline real phong_value(real e, vec3 wi, vec3 wo)
-{
-    brdf b = brdf_blinn_phong((vec3){0, 0, 0}, (vec3){1, 1, 1}, e);
-    return brdf_value_local(&b, wi, wo).x;
-}
-
-/* What an estimate with the wrong pdf p' tends to: the integral of f cos p / p'. */
-static inline real value_by_wrong_pdf(real e, vec3 wi, vec3 wo)
-{
-    return phong_value(e, wi, wo) * blinn_phong_pdf(e, wi, wo) / blinn_phong_pdf_naive(e, wi, wo);
-}
-
-static inline real ggx_value(real a, vec3 wi, vec3 wo)
-{
-    brdf b = brdf_ggx((vec3){1, 1, 1}, sqrt(a));
-    return brdf_value_local(&b, wi, wo).x;
-}
-
-static inline double albedo_by_grid(one_value *f, real parameter, real cosine)
-{
-    enum { k = 400 };
-    vec3 wo = {-sqrt((1 - cosine) * (1 + cosine)), 0, cosine};
-    double sum = 0;
-    for (int i = 0; i < k * k; i++) {
-        real u = ((real)(i / k) + (real)0.5) / k, v = ((real)(i % k) + (real)0.5) / k;
-        vec3 wi = sample_hemisphere(u, v);
-        sum += (double)(f(parameter, wi, wo) * wi.z);
-    }
-    return sum * 2 * (double)pi / (k * k);
-}
-
-static inline void measure_naive(const options *o)
-{
-    table t = table_new("Formulas that look right", "naive|input|error it gives|instead of");
-    static const struct {
-        const char *what, *input;
-        one_value *naive, *right;
-        double parameter, cosine;
-    } row[] = {
-        {"Phong as it is: albedo", "e = 1, head-on", phong_naive, phong_value, 1, 1},
-        {"Phong as it is: albedo", "e = 100, head-on", phong_naive, phong_value, 100, 1},
-        {"pdf of h for pdf of wi: albedo", "e = 10, cos .6", value_by_wrong_pdf, phong_value, 10,
-         0.6},
-        {"GGX without G: albedo", "alpha .5, cos .1", ggx_value_naive, ggx_value, 0.5, 0.1},
-        {"GGX without G: albedo", "alpha .5, cos .001", ggx_value_naive, ggx_value, 0.5, 0.001}};
-    for (int k = 0; k < 5; k++) {
-        real p = (real)row[k].parameter, c = (real)row[k].cosine;
-        table_text(&t, "%s", row[k].what), table_text(&t, "%s", row[k].input);
-        table_number(&t, albedo_by_grid(row[k].naive, p, c));
-        table_number(&t, albedo_by_grid(row[k].right, p, c));
-    }
-    for (int k = 2; k <= 4; k++) {
-        float a = (float)pow(10, -k);
-        table_text(&t, "z^2 (a^2 - 1) + 1: D");
-        table_text(&t, "float, alpha 1e-%d, m = n", k);
-        table_number(&t, (double)ggx_d_naive_f32(a, 1));
-        table_number(&t, 1 / ((double)pi * (double)a * (double)a));
-    }
-    output_extra_table(o, &t);
 }
 
 #endif
