@@ -130,13 +130,14 @@ static void test_paths(const char *text, unsigned effects)
     double worst = 1;
     for (int i = 0; i < 8 * 6; i++) {  /* a ray each, some through glass and mirror */
         ray r = camera_ray(q.e.eye, (real)(i % 8) + (real)0.4, (real)(i / 8) + (real)0.3, 8, 6);
+        media_set in = bodies_around(&q.e, r.o, NULL);
         estimate off[3] = {{0}, {0}, {0}};
         for (size_t k = 0; k < n; k++) {
             dice d = dice_start(3, (uint64_t)i * n + k, 0);
             effects_counts counts = {.lost = 0};
             path_counts spent = {0};
             path_random own = path_start(&t.how, 4, (uint64_t)i * n + k, 0, 1);
-            vec3 a = effects_general(&q.e, r, (media_set){0}, &d, &counts);
+            vec3 a = effects_general(&q.e, r, in, &d, &counts);
             vec3 b = path_radiance(&t, r, &own, &spent);
             for (int j = 0; j < 3; j++)
                 off[j] = estimate_add(off[j], (double)(vaxis(a, j) - vaxis(b, j)));
@@ -603,6 +604,13 @@ int main(void)
     snprintf(rough, sizeof rough, "%smaterial frosted\nKd 0\nNi 1.5\nroughness 0.55\nillum 7\n"
              "absorb 1 0.2 0.5\nsphere -0.5 0.4 1 0.4\nbox 0.1 0.5 1.2  0.9 1.1 1.4\n", tax_room);
     test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_GLOSSY | EFFECTS_WHITTED);
+    for (int k = 0; k < 2; k++) {  /* the eye in glass, smooth or rough; a bulb in a ball of it */
+        snprintf(rough, sizeof rough, "%smaterial bulb\nKe 4 5 6\nsphere 0.45 0.45 0.5 0.2\n"
+                 "material eye\nKd 0\nNi 1.5\nroughness %g\nillum 7\nsphere 0 1 3.4 0.55\n",
+                 tax_room, 0.6 * k);
+        test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED
+                              | (k ? EFFECT_GLOSSY : 0));
+    }
     test_bodies();
     test_blocks();
     test_contacts();

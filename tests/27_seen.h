@@ -60,8 +60,7 @@ static inline vec3 seen_along(set *q, ray r)
     return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o, NULL), &d, &c);
 }
 
-/* A wall in the sun, looked at past what follows; glass and water. Nothing matte is in glass: 27
- * leaves out the (n1/n2)^2 of (19.10), which cancels where lamps and eye are in air. */
+/* A wall in the sun, looked at past what follows; glass and water. */
 #define ABOVE "camera from 1.5 1.7 5 at 0 0.6 0 angle 32\nindirect off\n"                        \
     "background 0.3 0.5 0.8\nsun to 1 2 3 colour 2\nmaterial wall\nKd 0.8 0.4 0.1\nillum 1\n"   \
     "polygon -4 0 -3  4 0 -3  4 0.9 -3  -4 0.9 -3\n"

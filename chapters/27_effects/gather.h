@@ -3,7 +3,8 @@
  *
  *   vec3 L = gather(&hit, mask)                       hit: a gather_hit, of radiance.h
  *   vec3 L = gather_emitted(e, mask, b, a, x, &s)     of the face that ray b has met
- *   vec3 L = gather_nothing(e, mask, b)               of what is behind everything
+ *   vec3 L = gather_nothing(e, mask, b)               of what is behind everything, as L / n^2
+ *   real nn = gather_square(e, mask, &in)             n^2 of what fills the place (19.11)
  *
  *   hard shadows   each point light and sun, as 24 has them: L = f cos Le w / per          (27.8)
  *   soft shadows   one point of one lamp, likewise
@@ -66,6 +67,13 @@ typedef struct {
 static inline vec3 gather_left(const effects_stage *e, const media_set *in, real way)
 {
     return absorbed(e->media[media_fills(e->media, in)].absorb, way);                  /* (19.9) */
+}
+
+/* n^2 of what fills the place: without refraction nobody knows what `in` is. */
+fast_inline real gather_square(const effects_stage *e, const unsigned mask, const media_set *in)
+{
+    real n = mask & EFFECT_REFRACTION ? e->media[media_fills(e->media, in)].ior : 1;
+    return n * n;
 }
 
 /* The bodies on the side of the surface that d leads to: in front, or behind rough glass. */
@@ -176,8 +184,7 @@ static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, rea
     if ((vdot(h->s.n, wi) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return none;
     *pdf = rough_glass_pdf(g, i, o);
     real k = rough_glass_value(g, i, o) * fabs(i.z);
-    return through ? vscale(h->a->through, k / dielectric_squeeze(g->n1, g->n2))
-                   : vscale(h->a->mirror, k);
+    return vscale(through ? h->a->through : h->a->mirror, k);
 }
 
 /* (27.8), of a light, a lamp or the sky. */
@@ -274,7 +281,7 @@ fast_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, con
     /* An endless way through what absorbs; without refraction nobody knows what `in` is. */
     if ((mask & EFFECT_ABSORPTION) && (mask & EFFECT_REFRACTION))
         L = vmul(L, gather_left(e, &b->in, real_infinity));
-    return L;
+    return vscale(L, 1 / gather_square(e, mask, &b->in));
 }
 
 fast_inline vec3 gather_emitted(const effects_stage *e, const unsigned mask, const branch *b,

@@ -13,7 +13,9 @@
  *     rough glass  w M, w T    instead of these: off one facet or through it, as 26 (23.26); gather
  *                              finds lights on both sides of it (23.24)
  *
- *   M, G, T, Kd: appearance.h, times Fresnel's R or 1 - R where the material says so.
+ *   M, G, T, Kd: appearance.h, times Fresnel's R or 1 - R where the material says so. Added up is
+ *   L / n^2, which refraction leaves as it is (19.11): n^2 is asked for where light begins, and at
+ *   the eye.
  *
  * All branches are followed, on a stack, no recursion. Which of them: each survives with q = min(1,
  * k max w), and counts for w / q (26.3). k is 2 where integrals are called for (26.4), and 32 for
@@ -246,6 +248,7 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
         real way = x.h.t - b->r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
+    const vec3 basic = vscale(b->weight, 1 / gather_square(e, mask, &b->in));
     real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
     h.flat = studio_flat_face(&e->t, x);
@@ -254,7 +257,7 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
     if (body && to == inside) {  /* one medium on both sides: no surface, but it may shine */
-        *sum = vadd(*sum, vmul(b->weight, L));
+        *sum = vadd(*sum, vmul(basic, L));
         if (b->passed == stage_most_faces) return 0;
         effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
         if (!bends) effects_straight_on(&h, child);
@@ -278,7 +281,7 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
                              headlight(h.s.ns, b->r.d)));
     }
     if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));
-    *sum = vadd(*sum, vmul(b->weight, L));
+    *sum = vadd(*sum, vmul(basic, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
     return effects_children(&h, mask, &at, bends, child);
@@ -300,7 +303,7 @@ fast_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n && top < stage_most_waiting; i++)
             stack[top++] = slot[other][i];
-        if (n + top == 0) return sum;
+        if (n + top == 0) return vscale(sum, gather_square(e, mask, &in));
         b = n ? &slot[other][n - 1] : &stack[--top];
         other ^= n > 0;
     }
