@@ -83,7 +83,7 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     all.width = w / 6, all.height = h / 6, fine.samples *= finer;
     bool whole = draw_image(&j, im, o->threads);
     if (whole && finer > 1) image_free(im), whole = draw_image(&fine, im, o->threads);
-    if (whole && first) first_row(first, list[k].name, &s, &v, &j, im);
+    if (whole && first) first_row(first, k, list[k].name, &v, &j, im);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
     whole = whole && draw_image(&all, &small, o->threads);
     for (int i = 0; i < effect_kinds; i++)

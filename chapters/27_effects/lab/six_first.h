@@ -1,40 +1,68 @@
-/* six_first.h: the short book's plan, first.h, on a scene that was drawn by the full one.
+/* six_first.h: the six scenes of six.h as first.h has them, and the short book's plan of them.
  *
+ *   first_scene f;
+ *   if (six_as_first(4, &f)) ..           5_wall; false: 6_lens, for first.h has no lens
  *   table t = first_table(title);
- *   first_row(&t, "1_sun", &s, &view, &j, &im)    j: the drawing that gave the picture im
+ *   first_row(&t, 4, "5_wall", &view, &j, &im)     j: the drawing that gave the picture im
+ *
+ * A sun is a point light at the distance D. first.h has one eps, of rays that go on a distance, of
+ * shadow rays a part of the way. It is no smaller than rounding allows; then the light falls off by
+ * size / D, and shadow rays begin eps D away. D = size / sqrt eps makes both alike: in double 4e-7
+ * of the whole, in float a hundredth.
  *
  * first.h draws a fifth as wide and high, with as many samples a pixel as im has: a grid of them,
  * each somewhere in its cell. (In the middle of each cell, all pixels of a row would be wrong alike
  * where the horizon passes through them.) A pixel of its picture is 5 x 5 of im, which has 25 times
  * its samples. Off by: the mean of all differences of pixels, over the mean of im; +-: its standard
  * error. Noise: what a pixel differs by, RMS, about that mean; of the full version's own picture of
- * that size, too. The two times are the processor's, of such pictures, by one thread; where a pixel
- * has few samples, medians. Its rays: of the eye, and what first_rays counts: the points of the
- * lamp that it draws, also those behind a surface, to which it sends no ray.
+ * that size, too. The two times are of such pictures, by one thread. Its rays: of the eye, and what
+ * first_rays counts: the points of the lamp that it draws, also those behind a surface, to which it
+ * sends no ray.
  */
 #ifndef EFFECTS_SIX_FIRST_H
 #define EFFECTS_SIX_FIRST_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/table.h"
 #include "../../../common/numbers/estimate.h"
+#include "../first.h"
 #include "draw.h"
-#include "first_studio.h"
 
-enum { first_row_part = 5, first_row_depth = 40, first_row_rounds = 5 };
+enum { first_row_part = 5, first_row_depth = 40 };
 
 static const char *const first_row_name[first_effects] = {
     "shadows", "mirrors", "glass", "lamp", "bounces"};
 
 typedef struct {
-    const drawing *j;      /* as the full version has it; here of the small picture, one thread */
+    bool full;             /* by the full version */
+    const drawing *j;
     const first_scene *f;
     const first_plan *p;
     first_camera c;
-    image im, full;        /* of w x h, by first.h and by the full version */
+    image im;
 } first_run;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* The lamp, which faces down, is thing 0. */
+static inline bool six_as_first(int k, first_scene *f)
+{
+    const first_material white = {.kd = vec(0.73, 0.73, 0.73)}, red = {.kd = vec(0.65, 0.05, 0.05)};
+    const first_material yellow = {.kd = vec(0.7, 0.55, 0.1)}, panel = {.ke = vec(1, 1, 1)};
+    const first_material chrome = {.mirror = vec(0.55, 0.56, 0.55)}, glass = {.ior = 1.5};
+    const real size = 57, eps = 16 * real_epsilon * size, far = size / sqrt(eps);
+    *f = (first_scene){.above = vec(0.5, 0.65, 0.85), .eps = eps};
+    f->below = f->above;
+    f->light[f->lights++] = (first_light){vscale(vunit(vec(3, 2.2, 4)), far),
+                                          vscale((vec3){3, 3, 3}, far * far)};
+    if (k >= 3) first_add_flat(f, vec(-2, 6, 4), vec(0, 0, -5), vec(6, 0, 0), panel);
+    first_add_flat(f, vec(-20, 0, 20), vec(40, 0, 0), vec(0, 0, -40), white);
+    first_add_flat(f, vec(-2.6, 0, -4), vec(0, 0, 7), vec(0, 3.2, 0), red);
+    first_add_ball(f, vec(-0.2, 0.9, -1.6), (real)0.9, yellow);
+    if (k >= 1) first_add_ball(f, vec(-1.4, 0.9, 0.4), (real)0.9, chrome);
+    if (k >= 2) first_add_ball(f, vec(1.1, 0.8, 0.9), (real)0.8, glass);
+    return k < 5;
+}
 
 static inline table first_table(const char *title)
 {
@@ -48,7 +76,7 @@ static inline double first_row_grey(const image *im, int x, int y)
     return (double)(c.x + c.y + c.z) / 3;
 }
 
-/* Its samples. The counts of first_rays are those of the last picture. */
+/* The counts of first_rays are those of the last picture. */
 static inline void first_row_draw(first_run *k)
 {
     int n = (int)sqrt((double)k->j->samples);
@@ -69,28 +97,14 @@ static inline void first_row_draw(first_run *k)
         }
 }
 
-static inline void first_row_full(first_run *k)
+static inline double first_row_run(void *context)
 {
+    first_run *k = context;
     drawing again = {.e = k->j->e, .samples = k->j->samples, .seed = k->j->seed,
                      .width = k->im.width, .height = k->im.height};
-    image_free(&k->full);
-    draw_image(&again, &k->full, 1);
-}
-
-/* Microseconds a pixel, in turn: [0] first.h, [1] the full version. */
-static inline void first_row_time(first_run *k, double us[2])
-{
-    void (*const work[2])(first_run *) = {first_row_draw, first_row_full};
-    double all[2][first_row_rounds];
-    int rounds = k->j->e->chance ? 1 : first_row_rounds;
-    for (int i = 0; i < rounds; i++)
-        for (int b = 0; b < 2; b++) {
-            double start = clock_of(CLOCK_PROCESS_CPUTIME_ID);
-            work[b](k);
-            all[b][i] = clock_of(CLOCK_PROCESS_CPUTIME_ID) - start;
-        }
-    for (int b = 0; b < 2; b++)
-        us[b] = clock_median(all[b], rounds) / ((double)k->im.width * k->im.height) * 1e6;
+    if (k->full) image_free(&k->im), draw_image(&again, &k->im, 1);
+    else first_row_draw(k);
+    return (double)k->im.rgb[0];
 }
 
 /* The difference, pixel by pixel; *mean: of the full picture's part that has these pixels. */
@@ -110,37 +124,38 @@ static inline estimate first_row_off(const image *small, const image *im, double
     return d;
 }
 
-static inline void first_row(table *t, const char *name, const studio *s, const studio_view *view,
+static inline void first_row(table *t, int six, const char *name, const studio_view *view,
                              const drawing *j, const image *im)
 {
     first_scene f;
-    const char *lacks = first_of_studio(s, view, &f);
     table_text(t, "%s", name);
-    if (lacks) {
-        table_text(t, "it has %s", lacks);
+    if (!six_as_first(six, &f)) {
+        table_text(t, "it has no lens");
         for (int k = 0; k < 8; k++) table_text(t, "-");
         return;
     }
     int w = j->width / first_row_part, h = j->height / first_row_part;
-    first_plan p = first_plan_of(&f);
-    first_run k = {j, &f, &p, first_studio_camera(view, w, h), image_new(w, h), {0, 0, NULL}};
-    double us[2], mean, rays = (double)j->samples;
+    double pixels = (double)w * h, us[2], mean, rays = (double)j->samples;
     char called[120] = "";
-    first_row_time(&k, us);
+    first_plan p = first_plan_of(&f);
+    first_camera c = first_camera_at(view->from, view->at, view->up, view->angle, w, h);
+    first_run run[2] = {{false, j, &f, &p, c, image_new(w, h)},
+                        {true, j, &f, &p, c, image_new(w, h)}};
+    bench_each(first_row_run, run, sizeof *run, 2, j->e->chance ? 1 : 5, 1e6 / pixels, us);
     for (int e = 0; e < first_effects; e++) {
-        rays += (double)first_rays[e] / ((double)w * h);
+        rays += (double)first_rays[e] / pixels;
         if (p.on[e])
             snprintf(called + strlen(called), sizeof called - strlen(called), "%s%s",
                      *called ? ", " : "", first_row_name[e]);
     }
-    estimate d = first_row_off(&k.im, im, &mean), own = first_row_off(&k.full, im, &mean);
+    estimate d = first_row_off(&run[0].im, im, &mean), own = first_row_off(&run[1].im, im, &mean);
+    const double cell[] = {rays, (double)draw_rays(&j->counts) / draw_pixels(j), us[0], us[1],
+                           100 * d.mean / mean, 100 * estimate_error(d) / mean,
+                           100 * sqrt(estimate_variance(d)) / mean,
+                           100 * sqrt(estimate_variance(own)) / mean};
     table_text(t, "%s", called);
-    table_number(t, rays), table_number(t, (double)draw_rays(&j->counts) / draw_pixels(j));
-    table_number(t, us[0]), table_number(t, us[1]);
-    table_number(t, 100 * d.mean / mean), table_number(t, 100 * estimate_error(d) / mean);
-    table_number(t, 100 * sqrt(estimate_variance(d)) / mean);
-    table_number(t, 100 * sqrt(estimate_variance(own)) / mean);
-    image_free(&k.im), image_free(&k.full);
+    for (int k = 0; k < 8; k++) table_number(t, cell[k]);
+    for (int k = 0; k < 2; k++) image_free(&run[k].im);
 }
 
 #endif
