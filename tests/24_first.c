@@ -180,29 +180,16 @@ static void test_measured_box(void)
                 first, full);
 }
 
-/* Both cameras send the same rays, and no light comes where lit_first_asks says that none is asked
- * for; of those that it says are traced most find the lamp. */
-static void test_asked(void)
+static void test_camera(void)
 {
-    first_scene s = first_cornell();
-    size_t n = check_count(4000), asked = 0, lit = 0;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < check_count(4000); i++) {
         random_stream random = random_start(8, i, 0);
         real u = random_next(&random), v = random_next(&random);
         ray r = first_camera_ray(first_cornell_camera(1, 1), u, v);
         ray q = camera_ray(lit_first_camera(), u, v, 1, 1);
-        hit h;
         check_at_most((double)vlength(vsub(vunit(r.d), vunit(q.d))), 8 * (double)real_epsilon,
                       "a ray of the two cameras");
-        if (!first_scene_hit(&s, r, &h)) continue;
-        first_point x = first_point_at(&s, r, h);
-        bool asks = lit_first_asks(&s, x, random);
-        bool some = !vzero(first_direct_by_lamp(&s, 0, x, &random));
-        check(asks || !some, "light without a ray");
-        asked += asks, lit += some;
     }
-    check_at_least((double)lit, 0.6 * (double)asked, "so many of %zu rays reach it", asked);
-    check_at_most((double)lit, (double)asked, "and no more than %zu", asked);
 }
 
 /* ---- no hang, no crash ---- */
@@ -229,7 +216,7 @@ int main(void)
 {
     test_closed_forms();
     test_small_lamp(), test_close_to_a_lamp();
-    test_measured_box(), test_asked();
+    test_measured_box(), test_camera();
     test_odd_input();
     return check_report("24_first");
 }

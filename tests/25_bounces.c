@@ -3,7 +3,8 @@
 #include "../chapters/25_bounces/branching.h"
 #include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/notes_shade.h"
-#include "25_radiosity.h"
+#include "../chapters/25_bounces/lab/transport.h"
+#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
@@ -170,6 +171,32 @@ static void test_furnace_uniform(void)
 
 /* ---- two materials: the linear system of (25.11), whole and term by term ---- */
 
+/* A ball (0) of radius r in the middle of a sphere (1) of radius 1. By symmetry each has one
+ * radiance all over. The ball sees the sphere alone; of what leaves the sphere, r^2 goes to the
+ * ball:
+ *
+ *   K = | 0            rho_0       |                                                       (25.11)
+ *       | rho_1 r^2    rho_1 (1 - r^2) |
+ */
+static void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2])
+{
+    lit_begin(s);
+    for (int k = 0; k < 2; k++) {
+        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(rho[k]), .Le = E[k]});
+        lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, k ? -1 : r}), m);
+    }
+    lit_end(s);
+}
+
+static transport furnace_transport(double r, const vec3 E[2], const vec3 rho[2], int channel)
+{
+    transport t = transport_new(2);
+    double a = (double)vaxis(rho[0], channel), b = (double)vaxis(rho[1], channel);
+    for (int k = 0; k < 2; k++) t.E[k] = (double)vaxis(E[k], channel);
+    t.K[1] = a, t.K[2] = b * r * r, t.K[3] = b * (1 - r * r);
+    return t;
+}
+
 static void test_pair(void)
 {
     enum { depth = 7 };  /* a product of k weights 2 rho cos has the skewness 2^k / (4/3)^(3k/2) */
@@ -213,71 +240,6 @@ static void test_pair(void)
             check_equal(c.walk.escaped, 0, "nothing escapes between two spheres");
         }
     lit_free(&s);
-}
-
-/* ---- six different walls: a linear system (25.13) ---- */
-
-static void box_scene(lit_scene *s, const double E[6], const double rho[6])
-{
-    lit_begin(s);
-    for (int k = 0; k < 6; k++) {
-        real r = (real)rho[k], e = (real)E[k];
-        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert((vec3){r, r, r}),
-                                                        .Le = {e, e, e}});
-        lit_add_rectangle(s, furnace_wall(k), m);
-    }
-    lit_end(s);
-}
-
-/* One bounce is closed form; all bounces: the step from m = 3 to 6 bounds what 6 leaves out (errors
- * fall with m^2, so it is some 4 times as large). What leaves a square arrives somewhere: rows of F
- * sum to 1, n factors of some 16 epsilon of their size each (22). */
-static void test_radiosity(void)
-{
-    enum { m = 6, small = 3, n = 6 * m * m };
-    static const double E[6] = {0, 0.5, 0, 2, 0, 0}, rho[6] = {0.8, 0.3, 0.6, 0.5, 0.9, 0.2};
-    static const double x[2][2] = {{0.1, -0.2}, {-0.85, 0.1}};
-    double L[n], coarse[6 * small * small], row = 0;
-    lit_scene s;
-    box_scene(&s, E, rho);
-    transport fine = radiosity_box(E, rho, m), rough = radiosity_box(E, rho, small);
-    for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int j = 0; j < n; j++) sum += fine.K[i * n + j] / rho[i / (m * m)];
-        row = check_worse(row, fabs(sum - 1));
-    }
-    check_at_most(row, 64 * eps, "closed: what leaves a square arrives somewhere");
-    transport_bounces(&fine, 150, true, L);  /* .9^150 leaves 1e-7, but the radius is near .55 */
-    check_at_most(transport_radius(&fine, 200), 0.7, "so the sum is the whole");
-    check(transport_solve(&rough, coarse), "regular");
-    for (int i = 0; i < 2; i++) {
-        vec3 p = {(real)x[i][0], -1, (real)x[i][1]};  /* wall 2, the floor */
-        ray eye = {{p.x, -0.5, p.z}, 0, {0, -1, 0}, real_infinity};
-        double whole = radiosity_at(E, rho, m, L, p, 2);
-        double step = fabs(whole - radiosity_at(E, rho, small, coarse, p, 2));
-        double once = radiosity_at(E, rho, m, fine.E, p, 2);
-        check_at_most(step, 1e-2 * whole, "m = 3 and 6 agree");  /* near a corner, too */
-        check_at_least(whole, 1.3 * once, "and bounces matter");
-        estimate all = {0, 0, 0}, first = {0, 0, 0};
-        bounce_counts c = {.direct = {0, 0, 0}};
-        naive_path path = {&s, DIRECTIONS_COSINE, 20, false};
-        for (size_t k = 0; k < count_from(4000, 80000); k++) {
-            vec3 term[21];
-            sampler r = second_pair((uint64_t)(20 + i), (uint32_t)k);
-            bounce_terms(&path, eye, &r, term, &c);
-            double sum = (double)(term[0].x + term[1].x);
-            first = estimate_add(first, sum);
-            for (int j = 2; j <= path.depth; j++) sum += (double)term[j].x;
-            all = estimate_add(all, sum);
-        }
-        check_at_least(t_test(first, once, 100 * eps), alarm, "E + KE: %g +- %g, exact %g",
-                       first.mean, estimate_error(first), once);
-        check_at_least(t_test(all, whole, step + 1e-5), alarm, "whole: %g +- %g, exact %g -+ %g",
-                       all.mean, estimate_error(all), whole, step);
-        check_at_most(estimate_error(all), 0.02 * whole, "a test that can tell");
-        check_equal(c.walk.escaped, 0, "closed: nothing gets out, at no edge");
-    }
-    transport_free(&fine), transport_free(&rough), lit_free(&s);
 }
 
 /* Eye rays at points within 16 eps of an edge, and one bounce from there. Without (18.9) one in 250
@@ -633,7 +595,7 @@ static void test_eye_length(void)
 int main(void)
 {
     test_furnace_exact(), test_endless(), test_furnace_uniform();
-    test_pair(), test_radiosity(), test_edges();
+    test_pair(), test_edges();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
     test_notes(), test_notes_terms(), test_called_for(), test_counts(), test_shading_normals();
     test_eye_length();

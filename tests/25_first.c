@@ -116,16 +116,6 @@ static void test_operator(void)
 
 /* ---- the main table ---- */
 
-/* Of terms.h's path: the rays that first.h sends, a path of its own for each term. Term k >= 1 has
- * the first k rays of such a path, and all of them together as many rays to the lamp. */
-static double rays_apart(const trial_counts *w)
-{
-    size_t n = w->c.walk.rays[0] + w->c.direct.shadow;
-    for (int k = 1; k <= trial_bounces(trial_first); k++)
-        for (int j = 0; j < k; j++) n += w->c.walk.rays[j];
-    return (double)n;
-}
-
 /* All rows have the mean of the reference, which asks the lamp by its angle: all are unbiased, and
  * Welch's test allows for the noise of both. Directions meet the lamp once in some hundred: fewer
  * samples than these have no t. */
@@ -134,7 +124,7 @@ static void test_rows(void)
     branch_survey *b = allocate(1, sizeof *b);
     options o = {.seed = 7};
     trials_begin(b, &o);
-    estimate truth[trial_depths] = {{0}}, rays[2] = {{0}};
+    estimate truth[trial_depths] = {{0}};
     uint64_t n = check_count(60000);
     if (n < 30000) n = 30000;
     for (uint64_t i = 0; i < n; i++) {
@@ -151,19 +141,12 @@ static void test_rows(void)
             trial_counts w = {.first = 0};
             size_t pixel = i % trial_pixels;
             e = estimate_add(e, trial_sample(b, k, pixel, i, &w));
-            if (k == trial_terms) rays[0] = estimate_add(rays[0], rays_apart(&w));
-            if (k != trial_first) continue;
-            w.unsent = trial_unsent(b, trial_ray(b, pixel, branching_pair(b->seed, pixel, i, 0)),
-                                    pixel, i);
-            rays[1] = estimate_add(rays[1], (double)trial_rays_sent(&w));
         }
         check_at_least(welch_test(e, exact), false_alarm, "row %d: %g +- %g, reference %g +- %g", k,
                        e.mean, estimate_error(e), exact.mean, estimate_error(exact));
         if (k >= trial_terms)
             check_at_most(estimate_error(e), 1.2 / sqrt((double)n) * exact.mean, "little noise");
     }
-    check_at_least(welch_test(rays[0], rays[1]), false_alarm, "rays of first.h: %g, due %g",
-                   rays[1].mean, rays[0].mean);
     trials_end(b), free(b);
 }
 

@@ -161,29 +161,9 @@ static void test_dense(void)
     transport_free(&t);
 }
 
-/* Whole numbers: any matrix of five rows, and sums of its columns, whose solution is known. Rows
- * change places at every step. */
-static void test_elimination(void)
-{
-    size_t wrong = 0, regular = 0;
-    for (uint64_t i = 0; i < 400; i++) {
-        random_stream s = random_start(5, i, 0);
-        double A[25], x[5], due[5];
-        for (int k = 0; k < 25; k++) A[k] = rint((double)random_between(&s, -9, 9));
-        for (int k = 0; k < 5; k++) due[k] = rint((double)random_between(&s, -9, 9)), x[k] = 0;
-        for (int k = 0; k < 25; k++) x[k / 5] += A[k] * due[k % 5];
-        if (!transport_eliminate(A, x, 5)) continue;
-        regular++;
-        for (int k = 0; k < 5; k++) wrong += !(fabs(x[k] - due[k]) < 1e-8);
-    }
-    check_equal(wrong, 0, "solutions that are known");
-    check_at_least(regular, 380, "regular ones");
-}
-
 int main(void)
 {
     test_series(), test_series_naive();
     test_two_patches(), test_convergence(), test_dense();
-    test_elimination();
     return check_report("25_transport");
 }

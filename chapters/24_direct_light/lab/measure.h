@@ -2,7 +2,6 @@
  *
  *   measure_ways(o)     main table: all ways and first.h's, box and plates; --full: a plot
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
- *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
 #ifndef DIRECT_MEASURE_H
 #define DIRECT_MEASURE_H
@@ -11,8 +10,6 @@
 #include "survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* ---- eight ways, and the short book's ---- */
 
 static inline void plot_plates(const direct_survey *s, const options *o)
 {
@@ -38,7 +35,7 @@ static inline void measure_ways(const options *o)
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
     for (int k = 0; k < survey_ways; k++) {
         table_text(&t, "%s", k == survey_first ? "first" : direct_name[k]);
-        table_number(&t, survey_rays(&s[0], k));
+        table_text(&t, k == survey_first ? "-" : "%.3g", survey_rays(&s[0], k));
         for (int i = 0; i < 2; i++) {
             if (k >= s[i].ways) {
                 table_text(&t, "-"), table_text(&t, "-");
@@ -102,35 +99,6 @@ static inline void measure_near(const options *o)
         table_number(&t, variance_seen(&e, DIRECT_AREA, seen, o->seed));
         table_number(&t, variance_seen(&e, DIRECT_ANGLE, seen, o->seed));
     }
-    output_extra_table(o, &t);
-}
-
-/* ---- what is called for ---- */
-
-static inline void measure_called(const options *o)
-{
-    table t = table_new("Rays of one sample a point in the box: what is called for, and all",
-                        "way|points|shadow|of|directions|of|same bits");
-    direct_survey s;
-    survey_open(&s, o, STAGE_BOX, survey_points, 1);
-    for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
-        direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
-        bool same = true;
-        for (size_t i = 0; i < s.points; i++) {
-            vec3 L[2];
-            for (int all = 0; all < 2; all++) {
-                direct d = {&s.g.s, (direct_way)way, &s.all, &work[all], all};
-                sampler q = sampler_start(SEQUENCE_RANDOM, o->seed, i, 0, 1);
-                L[all] = direct_light(&d, &s.point[i].h, s.point[i].wo, &q);
-            }
-            same = same && memcmp(&L[0], &L[1], sizeof L[0]) == 0;
-        }
-        table_text(&t, "%s", direct_name[way]), table_count(&t, s.points);
-        table_count(&t, work[0].shadow), table_count(&t, work[1].shadow);
-        table_count(&t, work[0].direction), table_count(&t, work[1].direction);
-        table_text(&t, same ? "yes" : "NO");
-    }
-    survey_close(&s);
     output_extra_table(o, &t);
 }
 

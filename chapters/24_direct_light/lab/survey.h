@@ -4,7 +4,7 @@
  *   survey_open(&s, o, STAGE_FIRST, across, reference);  points, and the truth at each
  *   survey_measure(&s, o);            s.error[way][level] at 1, 4, 16, 64, 256 samples, all of them
  *                                     with --full, else at 64; s.seconds[way] of one sample
- *   survey_rays(&s, way)              rays of one sample
+ *   survey_rays(&s, way)              rays of one sample; of survey_first 0
  *   survey_close(&s);
  *
  * A way is a direct_way, or survey_first: first.h's, by points of the lamp; s.ways of them, so that
@@ -61,33 +61,18 @@ static inline real whole_irradiance(rectangle r, vec3 p, vec3 n)
     return sum / 2;
 }
 
-/* The numbers of pair 1 (direct.h): first.h chooses the points that DIRECT_AREA chooses. */
-static inline random_stream survey_lamp_numbers(uint64_t seed, uint64_t pixel, uint32_t k)
-{
-    random_stream random = random_start(seed, pixel, k);
-    random.dimension = 2;
-    return random;
-}
-
-/* As survey_estimate; survey_first_rays counts its shadow rays, where no time is taken. */
+/* As survey_estimate, by the numbers of pair 1 (direct.h): first.h chooses the points that
+ * DIRECT_AREA chooses. Its rays nobody counts. */
 static inline double survey_estimate_first(const direct_survey *s, size_t i, uint64_t pixel,
                                            uint32_t n, uint64_t seed)
 {
     double sum = 0;
     for (uint32_t k = 0; k < n; k++) {
-        random_stream random = survey_lamp_numbers(seed, pixel, k);
+        random_stream random = random_start(seed, pixel, k);
+        random.dimension = 2;
         sum += grey(first_direct_by_lamp(&s->first, 0, s->point[i].x, &random));
     }
     return sum / n;
-}
-
-static inline void survey_first_rays(const direct_survey *s, size_t i, uint64_t pixel, uint32_t n,
-                                     direct_work *work)
-{
-    work->samples += n;
-    for (uint32_t k = 0; k < n; k++)
-        work->shadow += lit_first_asks(&s->first, s->point[i].x,
-                                       survey_lamp_numbers(s->seed, pixel, k));
 }
 
 /* The mean of n samples at point i; of random numbers those of number `pixel`. */
@@ -127,7 +112,6 @@ static inline void survey_job(size_t job, void *context)
         direct_work *work = &s->work[way][level];
         double x = survey_estimate(s, way, &s->one, SEQUENCE_RANDOM, k, i, survey_samples(level),
                                    s->seed, work);
-        if (way == survey_first) survey_first_rays(s, k, i, survey_samples(level), work);
         double off = (x - truth) / (truth + s->mean);
         square += off * off;
     }
@@ -195,7 +179,7 @@ static inline void survey_close(direct_survey *s)
 static inline double survey_rays(const direct_survey *s, int way)
 {
     direct_work w = s->work[way][survey_brief];
-    return (double)(w.shadow + w.direction) / (double)w.samples;
+    return w.samples ? (double)(w.shadow + w.direction) / (double)w.samples : 0;
 }
 
 #endif

@@ -5,8 +5,6 @@
  *   lit_first(&f, &s);            flat things and balls, matte; in the end lit_free(&s)
  *   lit_first_begin(&f, &s);      or before lit_end
  *   camera c = lit_first_camera();                 as first_cornell_camera of a square picture
- *   bool ray = lit_first_asks(&f, x, random);      does first_direct_by_lamp trace a shadow ray
- *                                                  from x to thing 0, with these random numbers?
  *
  * Thing i is a rectangle emitter of its own if it shines; thing 0 is the first of the emitters. Two
  * triangles for each flat thing, so that the last bits of what rays meet may differ from first.h's.
@@ -42,15 +40,6 @@ static inline camera lit_first_camera(void)
 {
     first_camera c = first_cornell_camera(1, 1);
     return camera_at(c.e, vsub(c.e, c.w), c.v, 2 * atan(c.top) * 180 / pi, 1);
-}
-
-/* first.h counts nothing: here its two cosines are taken once more. */
-static inline bool lit_first_asks(const first_scene *f, first_point x, random_stream random)
-{
-    const first_thing *y = &f->thing[0];
-    real u = random_next(&random), v = random_next(&random);
-    vec3 d = vsub(vadd(y->corner, vadd(vscale(y->a, u), vscale(y->b, v))), x.p);
-    return vdot(x.n, d) > 0 && vdot(y->n, d) < 0;
 }
 
 #endif

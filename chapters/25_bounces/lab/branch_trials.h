@@ -27,8 +27,8 @@ enum { branch_kinds = 4, trial_depths = 2, trial_terms = trial_depths * branch_k
 enum { trial_side = 8, trial_pixels = trial_side * trial_side };
 static const int trial_depth[trial_depths] = {1, 5};
 
-/* first: the rays that first.h counts; unsent: those that it does not send: the lamp is behind. */
-typedef struct { bounce_counts c; size_t first, unsent; } trial_counts;
+/* first: the rays that first.h counts, some of which it does not send, as the lamp is behind. */
+typedef struct { bounce_counts c; size_t first; } trial_counts;
 typedef struct { estimate square; trial_counts work; } trial_part;
 typedef struct {
     first_scene first;
@@ -60,9 +60,9 @@ static inline double trial_most_rays(int k)
     return k == trial_first ? (d + 1) * (d + 2) / 2 : first_rays_of_branching(trial_branches(k), d);
 }
 
-static inline size_t trial_rays_sent(const trial_counts *w)
+static inline size_t trial_rays_asked(const trial_counts *w)
 {
-    return naive_rays(&w->c.walk) + w->c.direct.shadow + w->first - w->unsent;
+    return naive_rays(&w->c.walk) + w->c.direct.shadow + w->first;
 }
 
 static inline void trials_begin(branch_survey *b, const options *o)
@@ -117,44 +117,20 @@ static inline void trial_reference(size_t pixel, void *context)
     }
 }
 
-/* 16 numbers a term, behind the two of the eye ray. */
-static inline random_stream trial_numbers(const branch_survey *b, size_t pixel, uint64_t i, int k)
-{
-    random_stream random = random_start(b->seed, pixel, i);
-    random.dimension = 16 * (uint64_t)k + 2;
-    return random;
-}
-
-/* The terms of first.h, as first.c adds them. One thread at a time: it counts its rays itself. */
+/* The terms of first.h, as first.c adds them, each with 16 numbers behind the two of the eye ray.
+ * One thread at a time: it counts its rays itself. */
 static inline double trial_by_first(const branch_survey *b, ray eye, size_t pixel, uint64_t i,
                                     trial_counts *w)
 {
     vec3 L = {0, 0, 0};
     long before = first_bounce_rays;
     for (int k = 0; k <= trial_bounces(trial_first); k++) {
-        random_stream random = trial_numbers(b, pixel, i, k);
+        random_stream random = random_start(b->seed, pixel, i);
+        random.dimension = 16 * (uint64_t)k + 2;
         L = vadd(L, first_term(&b->first, eye, k, 1, &random));
     }
     w->first += (size_t)(first_bounce_rays - before);
     return (double)L.y;
-}
-
-/* The walks of trial_by_first once more: how many of them end where no ray is sent to the lamp? */
-static inline size_t trial_unsent(const branch_survey *b, ray eye, size_t pixel, uint64_t i)
-{
-    const first_scene *s = &b->first;
-    size_t n = 0;
-    for (int k = 1; k <= trial_bounces(trial_first); k++) {
-        random_stream random = trial_numbers(b, pixel, i, k);
-        ray r = eye;
-        hit h;
-        for (int j = k; first_scene_hit(s, r, &h); j--) {
-            first_point x = first_point_at(s, r, h);
-            if (j == 1) { n += !lit_first_asks(s, x, random); break; }
-            r = first_bounce(s, x, &random);
-        }
-    }
-    return n;
 }
 
 static inline double trial_by_terms(const branch_survey *b, size_t pixel, uint64_t i,
@@ -188,9 +164,6 @@ static inline void trial_run(branch_survey *b, int trial, size_t pixel)
     for (uint64_t i = 0; i == 0 || (double)i < n; i++) {
         double e = trial_sample(b, trial, pixel, i, &part->work) - exact;
         part->square = estimate_add(part->square, e * e);
-        if (trial != trial_first) continue;
-        ray eye = trial_ray(b, pixel, branching_pair(b->seed, pixel, i, 0));
-        part->work.unsent += trial_unsent(b, eye, pixel, i);
     }
 }
 

@@ -34,29 +34,28 @@ static inline double timed_run(void *context)
     timed_trial *t = context;
     trial_counts w = {.first = 0};
     double sum = 0;
-    for (uint64_t i = 0; (double)trial_rays_sent(&w) < t->least; i++)
+    for (uint64_t i = 0; (double)trial_rays_asked(&w) < t->least; i++)
         sum += trial_sample(t->b, t->trial, i % t->b->pixels, i, &w);
-    t->rays = (double)trial_rays_sent(&w);
+    t->rays = (double)trial_rays_asked(&w);
     return sum;
 }
 
-/* Of one sample; sure: standard error of `error`; unsent: rays that only timed_run counts. */
-typedef struct { double error, sure, rays, unsent, us; } branch_result;
+/* Of one sample; sure: standard error of `error`. */
+typedef struct { double error, sure, rays, us; } branch_result;
 
 /* All but the time. */
 static inline branch_result trial_result(const branch_survey *b, int trial)
 {
-    double rays = 0, unsent = 0, exact = 0;
+    double rays = 0, exact = 0;
     estimate square = {0, 0, 0};
     for (size_t k = 0; k < b->pixels; k++) {
         const trial_part *p = &b->part[trial][k];
-        rays += (double)trial_rays_sent(&p->work), unsent += (double)p->work.unsent;
+        rays += (double)trial_rays_asked(&p->work);
         square = estimate_merge(square, p->square);
         exact += b->exact[trial_depth_index(trial)][k];
     }
     double error = sqrt(square.mean) / exact * (double)b->pixels, n = (double)square.n;
-    return (branch_result){error, error * estimate_error(square) / (2 * square.mean), rays / n,
-                           unsent / n, 0};
+    return (branch_result){error, error * estimate_error(square) / (2 * square.mean), rays / n, 0};
 }
 
 static inline void measure_branches(const options *o)
@@ -75,7 +74,7 @@ static inline void measure_branches(const options *o)
     bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : o->full ? 15 : 5, 1e6, us);
     for (int k = 0; k < trials; k++) {
         r[k] = trial_result(b, k);
-        r[k].us = us[k] / timed[k].rays * (r[k].rays + r[k].unsent);
+        r[k].us = us[k] / timed[k].rays * r[k].rays;
         const branch_result *one = &r[trial_depth_index(k) * branch_kinds];
         table_count(&t, (size_t)trial_bounces(k));
         if (k < trial_terms) table_count(&t, (size_t)trial_branches(k));

@@ -19,13 +19,9 @@
  *   transport_radius(&t, steps)           spectral radius (谱半径) of a K >= 0, by powers
  *   transport_free(&t);                   a zeroed one may be freed
  *
- * When does (25.3) converge? If ||K|| < 1, the k-th term is at most ||K||^k max E. With this norm
- * ||K|| <= the largest albedo, so a world in which every surface keeps something back is safe. It
- * is not needed: what decides is the spectral radius, the factor by which late terms shrink. One
- * white surface (rho = 1) makes ||K|| = 1, and as long as its light gets to a grey one, or out of
- * the room, the series converges (geometrically, with the spectral radius). With radius >= 1
- * (a closed white room) it does not; I - K is then singular, or (25.2) has a solution with negative
- * light that no sum of positive terms ever reaches.
+ * If ||K|| < 1, the k-th term is at most ||K||^k max E: safe, but not needed. What decides whether
+ * (25.3) converges is the spectral radius (MEASURED.md). With radius >= 1 I - K is singular, or
+ * (25.2) has a solution with negative light that no sum of positive terms ever reaches.
  *
  * Numbers are double whatever real is: this is an oracle. Sources: J. Kajiya, "The Rendering
  * Equation", SIGGRAPH 1986; J. Arvo, "Analytic Methods for Simulated Light Transport", PhD thesis,
@@ -76,37 +72,26 @@ static inline void transport_bounces(const transport *t, int k, bool sum, double
     free(old);
 }
 
-/* Largest pivot in column c, from row c on: its row. */
-static inline int transport_pivot(const double *A, int n, int c)
-{
-    int best = c;
-    for (int i = c + 1; i < n; i++)
-        if (fabs(A[i * n + c]) > fabs(A[best * n + c])) best = i;
-    return best;
-}
-
-/* Gauss with row pivots. A pivot below n epsilon is rounding: rows of I - K are of size 1. */
+/* Gauss and Jordan, with row pivots. A pivot below n epsilon is rounding: rows of I - K are of size
+ * 1. Column n is x. */
 static inline bool transport_eliminate(double *A, double *x, int n)
 {
     for (int c = 0; c < n; c++) {
-        int p = transport_pivot(A, n, c);
+        int p = c;
+        for (int i = c + 1; i < n; i++)
+            if (fabs(A[i * n + c]) > fabs(A[p * n + c])) p = i;
         if (!(fabs(A[p * n + c]) > n * DBL_EPSILON)) return false;
-        for (int j = 0; j < n && p != c; j++) {
-            double swap = A[c * n + j];
-            A[c * n + j] = A[p * n + j], A[p * n + j] = swap;
+        for (int j = 0; j <= n; j++) {
+            double *a = j < n ? &A[c * n + j] : &x[c], *b = j < n ? &A[p * n + j] : &x[p], old = *a;
+            *a = *b, *b = old;
         }
-        double swap = x[c];
-        x[c] = x[p], x[p] = swap;
-        for (int i = c + 1; i < n; i++) {
-            double m = A[i * n + c] / A[c * n + c];
+        for (int i = 0; i < n; i++) {
+            double m = i == c ? 0 : A[i * n + c] / A[c * n + c];
             for (int j = c; j < n; j++) A[i * n + j] -= m * A[c * n + j];
             x[i] -= m * x[c];
         }
     }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++) x[i] -= A[i * n + j] * x[j];
-        x[i] /= A[i * n + i];
-    }
+    for (int i = 0; i < n; i++) x[i] /= A[i * n + i];
     return true;
 }
 

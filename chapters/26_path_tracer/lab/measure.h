@@ -87,33 +87,8 @@ static inline void measure_pixel(const strategy *y, int run, int i, path_pixel h
         path_pixel_of(&y->how, (uint64_t)run + 1, 2 * (uint64_t)i + k, &half[k]);
 }
 
-/* Rays of all paths of first.h, which does not count them: the steps of first_path_shade without
- * light, by the same numbers. */
-static inline size_t measure_first_rays(const measure_place *m, const first_scene *s, int run,
-                                        uint32_t samples)
-{
-    size_t n = 0;
-    for (int i = 0; i < m->side * m->side; i++) {
-        path_pixel half[2];
-        measure_pixel(&strategy_list[strategy_first], run, i, half);
-        for (uint32_t k = 0; k < samples; k++) {
-            path_random random;
-            ray r = measure_eye(m, lit_first_camera(), i, k, half, &random);
-            hit h;
-            for (n++; first_scene_hit(s, r, &h); n++) {
-                first_point x = first_point_at(s, r, h);
-                n += lit_first_asks(s, x, random.own);
-                random.own.dimension += 2;
-                if ((double)random_next(&random.own) >= first_go_on) break;
-                r = first_bounce(s, x, &random.own);
-            }
-        }
-    }
-    return n;
-}
-
 /* The mean square over some pictures. All strategies by the same loop: naive is 25's path, first
- * that of first.h. */
+ * that of first.h, whose rays nobody counts. */
 static inline measured measure_strategy(const measure_place *m, const options *o, const strategy *y,
                                         uint32_t samples, int runs)
 {
@@ -145,8 +120,7 @@ static inline measured measure_strategy(const measure_place *m, const options *o
         film_cover(&s.film, 0, samples, &why);
         image im = film_picture(&s.film);
         double e = measure_error(m, &im);
-        size_t own = short_book ? measure_first_rays(m, &first, run, samples) : 0;
-        x.error += e * e / runs, x.rays += (double)(path_rays(&c) + naive_rays(&n) + own) / runs;
+        x.error += e * e / runs, x.rays += (double)(path_rays(&c) + naive_rays(&n)) / runs;
         image_free(&im), shot_free(&s);
     }
     x.error = sqrt(x.error);
@@ -174,15 +148,16 @@ static inline void measure_strategies(const options *o)
         const strategy *s = &strategy_list[k];
         measured x = naive;
         double pixels = (double)m.side * m.side;
-        plot_series(&error, s->name);
+        if (k != strategy_first) plot_series(&error, s->name);
         for (int l = o->full ? 0 : end - 1; l < end; l++) {
             x = measure_strategy(&m, o, s, 4u << 2 * l, o->quick ? 1 : l < 2 ? 3 : 1);
-            plot_add(&error, k, x.rays / pixels, x.error);
+            if (k != strategy_first) plot_add(&error, k, x.rays / pixels, x.error);
         }
         if (k == 0) naive = x;
         double efficiency = 1 / (x.error * x.error * x.seconds);
         table_text(&t, "%s", s->name);
-        table_number(&t, x.error), table_number(&t, x.rays / (pixels * most));
+        table_number(&t, x.error);
+        table_text(&t, x.rays > 0 ? "%.3g" : "-", x.rays / (pixels * most));
         table_number(&t, x.seconds * 1e3), table_number(&t, efficiency);
         table_number(&t, efficiency * naive.error * naive.error * naive.seconds);
     }

@@ -115,23 +115,13 @@ cold_inline void draw_light(const options *o)
     image im;
     shot_of(&s, o, "spheres", path_defaults, side, side);
     image all = image_new(2 * side, side);
-    table t = table_new("Light against eye: the box of spheres by as many paths of each",
-                        "paths|number|rays a path|time [s]");
     size_t paths = (size_t)side * (size_t)side * samples / light_jobs * light_jobs;
     bool whole = passes_range(render_passes(&s.j), &s.film, 0, samples);
-    double start = clock_seconds();
     light_tracer_of(&s.c.s, s.c.eye, side, side, &l);
     if (whole) whole = light_picture(&l, o->seed, paths, o->threads, &im, &work);
     else im = image_new(side, side);  /* Ctrl-C stopped the first half: no second one */
-    double seconds[2] = {s.j.pass.seconds, clock_seconds() - start};
-    size_t rays[2] = {path_rays(&s.j.counts), path_rays(&work)};
-    for (int k = 0; k < 2; k++) {
-        table_text(&t, k ? "from the lamp" : "from the eye"), table_count(&t, paths);
-        table_number(&t, (double)rays[k] / (double)paths), table_number(&t, seconds[k]);
-    }
     draw_panel(&all, 0, 1, shot_picture(&s, 2));
     draw_panel(&all, 1, 1, exposed(im, 2));
-    output_extra_table(o, &t);
     panels_save(o, &all, 2, 1, 0, title, "26_path_tracer_light.png", whole);
     path_tracer_free(&l.paths), shot_free(&s);
 }
