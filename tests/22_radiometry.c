@@ -4,7 +4,6 @@
 #include "../common/lab/chi_square.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/pictures.h"
-#include "../chapters/22_radiometry/lab/directions.h"
 #include "../chapters/22_radiometry/lab/photometry.h"
 #include "../common/file.h"
 #include "check.h"
@@ -26,7 +25,7 @@ static void test_relations(void)
         check_at_most(estimate_error(e), 0.05 * sqrt(1e5 / (double)n) * fabs(c),
                       "%s: good for 5 %%", r.name);
     }
-    check_equal((double)wrong, 4, "four of them are often believed");
+    check_equal((double)wrong, 3, "three of them are often believed");
 }
 
 /* Closed forms that the tests of solid angles do not have. Phi of I = cos^n: 2 pi / (n+1), by the
@@ -36,9 +35,7 @@ static void test_closed(void)
     double sum = 0;
     for (int i = 0; i < 10000; i++) sum += pow((i + 0.5) / 10000, 8) / 10000;
     check_close(2 * PI * sum, spot_flux, 1e-7, "flux of the spotlight");
-    check_close(sphere_irradiance_unclipped((sphere){{3, 0, 4}, 2}, seen_from, seen_up),
-                PI * 4 / 25 * 4 / 5, 8 * eps, "(22.10): 5 away, 4 of it above");
-    check_equal(area_term(ceiling_pane, (vec3){0, 0, 3}, (vec3){0, 0, -1}, 0.5, 0.5), 0,
+    check_equal(area_term(pane, (vec3){2, 0, 1}, (vec3){-1, 0, 0}, 0.5, 0.5), 0,
                 "the back of the square is dark");
 }
 

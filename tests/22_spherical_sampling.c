@@ -9,6 +9,8 @@
 #define alarm 1e-8
 #define eps ((double)real_epsilon)
 
+static const triangle sail = {{1, -1, 0.5}, {1, 1, 0.5}, {0.5, 0, 2}};
+
 /* How the solid angle of the sub-triangle a b c' should share: the sampled point (u, v) gives the
  * triangle a, b, x(u, 1): its solid angle is u Omega, whatever the triangle. Exact, no chance. */
 static void check_shares(triangle t, vec3 p, double bound, const char *what)

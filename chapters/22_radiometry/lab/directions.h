@@ -16,7 +16,9 @@
 #ifndef RADIOMETRY_DIRECTIONS_H
 #define RADIOMETRY_DIRECTIONS_H
 
+#include "polygon_irradiance.h"
 #include "relations.h"
+#include "sphere_irradiance.h"
 
 typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, radiometry_lights } radiometry_light;
 typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, direction_ways } direction_way;
@@ -41,6 +43,24 @@ static inline radiometry_seen radiometry_seen_of(vec3 p)
 {
     return (radiometry_seen){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
                              spherical_rectangle_of(pane, p)};
+}
+
+/* Does the ray from the origin meet it? Where the plane is met, in shares of s and t. */
+static inline bool rectangle_met(rectangle r, vec3 w)
+{
+    vec3 m = vcross(r.s, r.t);
+    real t = vdot(r.o, m) / vdot(w, m);
+    vec3 y = vsub(vscale(w, t), r.o);
+    real a = vdot(y, r.s) / vdot(r.s, r.s), b = vdot(y, r.t) / vdot(r.t, r.t);
+    return t > 0 && a >= 0 && a <= 1 && b >= 0 && b <= 1;
+}
+
+/* By area: cos cos' / r^2 of a point of it. */
+static inline real area_term(rectangle r, vec3 p, vec3 n, real u, real v)
+{
+    vec3 y = vsub(rectangle_at(r, (vec3){u, v, 0}), p), m = vcross(r.s, r.t);
+    real r2 = vdot(y, y);
+    return real_max(vdot(n, y), 0) * real_max(-vdot(m, y), 0) / (r2 * r2);  /* |m| is the area */
 }
 
 /* Of light l: a point of it, by area. */

@@ -15,7 +15,9 @@
 #ifndef RADIOMETRY_FLOORS_H
 #define RADIOMETRY_FLOORS_H
 
+#include "polygon_irradiance.h"
 #include "relations.h"
+#include "sphere_irradiance.h"
 
 typedef enum { FLOOR_SPHERE, FLOOR_RECTANGLE, FLOOR_SPOTLIGHT, floor_lights } floor_light;
 enum { floor_cells = 64 };

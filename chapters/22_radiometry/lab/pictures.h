@@ -16,6 +16,7 @@
 
 #include "../../../common/lab/heat.h"
 #include "../../../common/lab/panels.h"
+#include "directions.h"
 #include "floors.h"
 
 typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
