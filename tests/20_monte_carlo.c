@@ -245,7 +245,7 @@ static void test_slopes_of_importance(void)
                                   - (double)pi);
             median[l] = clock_median(error, runs);
         }
-        check_close(log(median[1] / median[0]) / log(64.0), importance_slope((double)lobe),
+        check_close(log(median[1] / median[0]) / log(64.0), -2 / ((double)lobe + 1),
                     k ? 0.031 : 0.069, "slope for n = %g", (double)lobe);
     }
 }

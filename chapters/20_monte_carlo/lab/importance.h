@@ -6,16 +6,10 @@
  *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3         (20.16)
  *                                      infinite                           if n >= 3
  *
- *      n = 0   uniform: weights from 0 to 2 pi        n = 1   p = f / pi: each weight is pi
- *      n = 2   weights without bound near the horizon, and yet the variance is that of n = 0
- *      n = 8   p is far too small where f is not: nearly all samples say 2 pi / 9 and a few, which
- *              seldom come, say thousands
- *
- * The expectation is pi for all of them. But with n >= 3 the error falls only as N^(-2/(n+1))
- * (20.17) (its median; its mean square is infinite), and the standard error that the samples report
- * is too small most of the time. A weight without bound is the warning; a bounded one is proof of a
- * finite variance. The mixture (混合) of p with a share `a` of a pdf that covers f has weights <= pi
- * / a (defensive importance sampling).
+ * The expectation is pi for all of them. With n > 1 weights have no bound; with n > 3 the median of
+ * the error falls only as N^(-2/(n+1)) (20.17), and the standard error that the samples report is
+ * too small most of the time. The mixture (混合) of p with a share `a` of a pdf that covers f has
+ * weights <= pi / a (defensive importance sampling).
  *
  *   importance_weight(n, z), importance_weight_mixed(n, a, z)      z = cos theta in (0, 1]
  *   importance_run(n, a, seed, run, N)     N samples; a = 0: the lobe alone
@@ -39,9 +33,6 @@ static inline double importance_variance(double n)
     double p = (double)pi;
     return n < 3 ? p * p * (n - 1) * (n - 1) / ((n + 1) * (3 - n)) : (double)INFINITY;
 }
-
-/* Slope of the median error against N in a log-log plot. */
-static inline double importance_slope(double n) { return n > 3 ? -2 / (n + 1) : -0.5; }
 
 static inline double importance_weight(real n, real z)
 {

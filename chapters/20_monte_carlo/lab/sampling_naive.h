@@ -11,16 +11,12 @@
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
  *
  * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
- *
- *   choice_sample_naive        the sum may round to less than 1, and u be above: n, no such thing
- *   radical_inverse_naive      a rounding a digit; and in float it may return 1
  */
 #ifndef MONTE_CARLO_SAMPLING_NAIVE_H
 #define MONTE_CARLO_SAMPLING_NAIVE_H
 
 #include "../../../common/random.h"
 #include "../sampling.h"
-#include <stddef.h>
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -61,24 +57,6 @@ static inline vec3 sample_lobe_naive(real n, real u, real v)
 {
     real z = pow(1 - u, 1 / (n + 1));
     return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
-}
-
-/* Walks along normalised weights. Ten weights of 1 as float: they sum to 1.0000001 or .9999999. */
-static inline size_t choice_sample_naive(const real *probability, size_t n, real u)
-{
-    real sum = 0;
-    for (size_t k = 0; k < n; k++) {
-        sum += probability[k];
-        if (u < sum) return k;
-    }
-    return n;
-}
-
-static inline real radical_inverse_naive(uint32_t base, uint32_t i)
-{
-    real sum = 0, part = 1 / (real)base, digit = part;
-    for (; i > 0; i /= base, digit *= part) sum += (real)(i % base) * digit;
-    return sum;
 }
 
 #endif
