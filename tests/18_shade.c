@@ -384,14 +384,13 @@ static void test_spent(void)
     for (int e = 0; e <= 4; e += 4) {
         gallery *g = gallery_new(4, e ? pow((real)10, (real)e) : 0);
         image im[3];
-        trace_counts spent[3];
+        trace_counts spent[3] = {{{0}, {0}}};
         for (int k = 0; k < 3; k++) {
             im[k] = image_new(96, 54);
-            gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
-                              .c = gallery_camera(g->T.x, (real)96 / 54, false)};
-            v.how.spend_all = k == 1;
-            check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
-            spent[k] = v.counts;
+            shading how = gallery_shading(g);
+            traced_view v = gallery_view(g, &how, 96, 54, false);
+            v.counts = &spent[k], how.spend_all = k == 1;
+            check(pixels_draw(&im[k], 1, k == 2 ? 3 : 1, "", traced_colour, &v), "drawn");
         }
         size_t bytes = 96 * 54 * 3 * sizeof(float);
         check(memcmp(im[0].rgb, im[1].rgb, bytes) == 0, "all rays spent: the same picture");

@@ -5,8 +5,7 @@
  *                                            each axis; gallery_free
  *   camera c = gallery_camera(T, aspect, close);   of all, or of the card's lower edge
  *   shading how = gallery_shading(g);
- *   gallery_view v = {.g = g, .how = how, .c = c, .samples = n, .im = &im};      n^2 rays a pixel
- *   bool whole = gallery_draw(&v, threads)   v.counts: the rays
+ *   traced_view v = gallery_view(g, &how, w, h, close);    w x h pixels
  *
  * The lamp's bulb has a mask of its own: seen by camera rays, passed by shadow rays; so the lamp,
  * in its middle, shines.
@@ -14,10 +13,9 @@
 #ifndef SHADE_LAB_GALLERY_H
 #define SHADE_LAB_GALLERY_H
 
-#include "../../../common/lab/pixels.h"
-#include "../../02_camera/camera.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../shade.h"
+#include "../trials/traced_view.h"
 
 enum { gallery_shapes = 9, gallery_parts = 3 };
 
@@ -116,35 +114,12 @@ static inline camera gallery_camera(real T, real aspect, bool close)
     return camera_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, close ? 7 : 27, aspect);
 }
 
-/* ---------------------------------------------------------------------------------------------- */
-
-typedef struct {
-    const gallery *g;
-    shading how;
-    camera c;
-    int samples;
-    image *im;
-    pthread_mutex_t lock;
-    trace_counts counts;
-} gallery_view;
-
-static inline vec3 gallery_colour(const void *context, real x, real y)
+static inline traced_view gallery_view(const gallery *g, const shading *how, int w, int h,
+                                       bool close)
 {
-    gallery_view *v = *(gallery_view *const *)context;
-    tracer t = {.w = &v->g->w, .program = shade_programs, .user = &v->how};
-    vec3 c = shade_ray(&t, camera_ray(v->c, x, y, v->im->width, v->im->height));
-    pthread_mutex_lock(&v->lock);
-    trace_counts_add(&v->counts, &t.counts);
-    pthread_mutex_unlock(&v->lock);
-    return vmin(c, (vec3){4, 4, 4});  /* a highlight must not outshout its pixel */
-}
-
-static inline bool gallery_draw(gallery_view *v, int threads)
-{
-    pthread_mutex_init(&v->lock, NULL);
-    bool whole = pixels_draw(v->im, v->samples, threads, "drawing", gallery_colour, &v);
-    pthread_mutex_destroy(&v->lock);
-    return whole;
+    return (traced_view){
+        .t = {.w = &g->w, .program = shade_programs, .user = how}, .ray = shade_ray, .width = w,
+        .height = h, .c = gallery_camera(g->T.x, (real)w / (real)h, close)};
 }
 
 #endif

@@ -23,15 +23,16 @@ cold_inline void draw_gallery(const options *o, int n, bool spend_all)
 {
     gallery *g = gallery_new(n, 0);
     image im = image_new(o->width, o->height);
-    gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im,
-                      .c = gallery_camera(0, (real)o->width / (real)o->height, false)};
-    while ((v.samples + 1) * (v.samples + 1) <= o->samples) v.samples++;
-    v.how.spend_all = spend_all;
+    shading how = gallery_shading(g);
+    trace_counts rays = {0};
+    traced_view v = gallery_view(g, &how, o->width, o->height, false);
+    v.counts = &rays, how.spend_all = spend_all;
     double start = clock_seconds();
-    bool whole = gallery_draw(&v, o->threads);
+    bool whole = pixels_draw(&im, traced_side(o->samples), o->threads, "drawing", traced_colour,
+                             &v);
     printf("# %zu camera rays, %zu hits; %zu shadow rays, %zu of them stopped; %.2f s\n",
-           v.counts.rays[RAY_CAMERA], v.counts.hits[RAY_CAMERA], v.counts.rays[RAY_SHADOW],
-           v.counts.hits[RAY_SHADOW], clock_seconds() - start);
+           rays.rays[RAY_CAMERA], rays.hits[RAY_CAMERA], rays.rays[RAY_SHADOW],
+           rays.hits[RAY_SHADOW], clock_seconds() - start);
     output_picture(o, &im, "18_shade.png", true, whole);
     image_free(&im), gallery_free(g);
 }
@@ -55,24 +56,25 @@ static inline ray leave_fixed_3e2(surface s, vec3 w)
  * bounds. */
 cold_inline void draw_acne(const options *o)
 {
-    const real T = 10000;
+    static const char *const name[] = {"float, tmin = 1e-4: acne", "leave", "tmin = 0.03: leaks",
+                                       "leave"};
+    enum { gap = 6 };
     int w = o->quick ? 96 : 400, h = w * 9 / 16;
-    gallery *g = gallery_new(o->quick ? 6 : 24, T);
-    image sheet = {0}, im = image_new(w, h);
-    bool whole = true;
-    for (int k = 0; k < 4 && whole; k++) {
-        gallery_view v = {.g = g, .how = gallery_shading(g), .samples = o->quick ? 1 : 2,
-                          .im = &im};
-        if (k % 2 == 0) v.how.surface_of = surface_f32;
-        if (k % 2 == 0) v.how.leave = k ? leave_fixed_3e2 : leave_first;
-        v.c = gallery_camera(T, (real)w / (real)h, k >= 2);
-        whole = gallery_draw(&v, o->threads);
-        label_panel(&sheet, 2, 2, 6, k, &im);
+    gallery *g = gallery_new(o->quick ? 6 : 24, 10000);
+    shading how[4];
+    traced_view v[4];
+    panel p[4];
+    for (int k = 0; k < 4; k++) {
+        how[k] = gallery_shading(g);
+        if (k % 2 == 0) how[k].surface_of = surface_f32;
+        if (k % 2 == 0) how[k].leave = k ? leave_fixed_3e2 : leave_first;
+        v[k] = gallery_view(g, &how[k], w, h, k >= 2);
+        p[k] = (panel){name[k], &v[k]};
     }
-    static const char *const title[] = {"float, tmin = 1e-4: acne", "leave", "tmin = 0.03: leaks",
-                                        "leave"};
-    panels_save(o, &sheet, 2, 2, 6, title, "18_shade_acne.png", whole);
-    image_free(&im), gallery_free(g);
+    panels_draw(o, "18_shade_acne.png", false,
+                (panels_shape){2 * w + gap, 2 * h + gap, 2, 2, gap, o->quick ? 1 : 2, false},
+                traced_colour, p);
+    gallery_free(g);
 }
 
 /* ---- the edge of light ---- */

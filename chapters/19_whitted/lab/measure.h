@@ -13,18 +13,16 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Of a picture that is not whole no row can tell: Ctrl-C ends the program. */
-static inline void measured_draw(whitted_view *v, int threads)
+/* [s], the median of 1 to 3 rounds. Of a picture that is not whole no row can tell: Ctrl-C ends the
+ * program. */
+static inline double measured_draw(const traced_view *v, image *im, int rounds, int threads)
 {
-    if (!whitted_draw(v, threads)) die(parallel_stopped(), "stopped");
-}
-
-static inline double knob_time(whitted_view *v, int rounds)
-{
-    double seconds[9];
+    double seconds[3] = {0};
     for (int i = 0; i < rounds; i++) {
         double start = clock_seconds();
-        measured_draw(v, 1);
+        if (v->counts) *v->counts = (trace_counts){0};
+        if (!pixels_draw(im, 1, threads, "drawing", traced_colour, v))
+            die(parallel_stopped(), "stopped");
         seconds[i] = clock_seconds() - start;
     }
     return clock_median(seconds, rounds);
@@ -41,8 +39,8 @@ static inline void table_of_depths(const options *o)
     whitted_stage *f = forty_new();
     int w = o->quick ? 48 : 160, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
-    whitted_view v = {.t = stage_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
-                      .across = 1};
+    trace_counts rays = {0};
+    traced_view v = whitted_view(f, forty_camera((real)w / (real)h), w, h);
     table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
                         "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
                         "time [ns/pixel]");
@@ -50,16 +48,16 @@ static inline void table_of_depths(const options *o)
                       PLOT_LOG_Y);
     plot_series(&p, "depth 1, 2 .. 12, no cut"), plot_series(&p, "cut 0.5 .. 0.0001");
     f->w.depth = 64, f->w.least = 1e-10;
-    measured_draw(&v, o->threads);
-    v.im = &im;
+    measured_draw(&v, &deep, 1, o->threads);
+    v.counts = &rays;
     for (size_t k = 0; k < sizeof depths_tried / sizeof *depths_tried; k++) {
         f->w.depth = depths_tried[k].depth, f->w.least = (real)depths_tried[k].least;
-        double ns = knob_time(&v, o->full ? 3 : 1) / ((double)w * h) * 1e9;
+        double ns = measured_draw(&v, &im, o->full ? 3 : 1, 1) / ((double)w * h) * 1e9;
         image_difference d = image_compare(&im, &deep);
         table_text(&t, depths_tried[k].least > 0 ? "cut" : "depth");
         table_count(&t, (size_t)depths_tried[k].depth), table_number(&t, depths_tried[k].least);
         for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++)
-            table_number(&t, (double)v.counts.rays[i] / (w * h));
+            table_number(&t, (double)rays.rays[i] / (w * h));
         table_number(&t, d.rmse), table_number(&t, d.maximum), table_number(&t, ns);
         plot_add(&p, depths_tried[k].least > 0, ns, d.rmse);
     }

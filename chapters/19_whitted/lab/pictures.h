@@ -8,77 +8,55 @@
 #define WHITTED_LAB_PICTURES_H
 
 #include "../../../common/lab/panels.h"
+#include "../../18_shade/trials/traced_view.h"
 #include "../scenes/forty.h"
 #include "tank.h"
 #include "two_spheres.h"
 
-typedef struct {
-    tracer t;              /* as it begins: copied for each ray */
-    camera c;
-    int across;            /* across^2 rays a pixel */
-    image *im;
-    pthread_mutex_t lock;
-    trace_counts counts;
-} whitted_view;
-
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 whitted_colour(const void *context, real x, real y)
-{
-    whitted_view *v = *(whitted_view *const *)context;
-    tracer t = v->t;
-    ray r = camera_ray(v->c, x, y, v->im->width, v->im->height);
-    vec3 c = whitted_ray(&t, r, (media_set){0});
-    pthread_mutex_lock(&v->lock);
-    trace_counts_add(&v->counts, &t.counts);
-    pthread_mutex_unlock(&v->lock);
-    return vmin(c, (vec3){4, 4, 4});  /* a highlight must not outshout its pixel */
-}
+static vec3 whitted_from_air(tracer *t, ray r) { return whitted_ray(t, r, (media_set){0}); }
 
-/* Sets v->counts. False: stopped by Ctrl-C. */
-static inline bool whitted_draw(whitted_view *v, int threads)
+static inline traced_view whitted_view(const whitted_stage *s, camera c, int w, int h)
 {
-    v->counts = (trace_counts){0};
-    pthread_mutex_init(&v->lock, NULL);
-    bool whole = pixels_draw(v->im, v->across, threads, "drawing", whitted_colour, &v);
-    pthread_mutex_destroy(&v->lock);
-    return whole;
+    return (traced_view){.t = stage_tracer(s), .ray = whitted_from_air, .c = c, .width = w,
+                         .height = h};
 }
 
 cold_inline void draw_two_spheres(const options *o, bool spend_all)
 {
     whitted_stage *s = two_spheres_new();
     image im = image_new(o->width, o->height);
-    whitted_view v = {.t = stage_tracer(s), .im = &im, .across = 1,
-                      .c = two_spheres_camera((real)o->width / (real)o->height)};
-    while ((v.across + 1) * (v.across + 1) <= o->samples) v.across++;
-    s->w.spend_all = spend_all;
+    trace_counts n = {0};
+    traced_view v = whitted_view(s, two_spheres_camera((real)o->width / (real)o->height), o->width,
+                                 o->height);
+    v.counts = &n, s->w.spend_all = spend_all;
     double start = clock_seconds();
-    bool whole = whitted_draw(&v, o->threads);
+    bool whole = pixels_draw(&im, traced_side(o->samples), o->threads, "drawing", traced_colour,
+                             &v);
     printf("# two spheres:");
     for (int k = 0; k < RAY_SIGHT; k++)
-        printf(" %zu %s rays%s", v.counts.rays[k], ray_kind_names[k],
-               k + 1 < RAY_SIGHT ? "," : ";");
+        printf(" %zu %s rays%s", n.rays[k], ray_kind_names[k], k + 1 < RAY_SIGHT ? "," : ";");
     printf(" %.2f s\n", clock_seconds() - start);
     output_picture(o, &im, "19_whitted.png", true, whole);
     image_free(&im), stage_end(s), free(s);
 }
 
-/* A panel for each `how`, side by side, two in a row. Frees s. */
+/* A panel of width w for each `how`, two in a row. Frees s. */
 static inline void draw_variants(const options *o, const char *name, whitted_stage *s, camera c,
                                  int w, const whitted *how, const char *const *title, int n)
 {
-    int h = w * 3 / 4, rows = n / 2;
-    bool whole = true;
-    image sheet = {0}, im = image_new(w, h);
-    for (int i = 0; i < n && whole; i++) {
-        whitted_view v = {.t = stage_tracer(s), .c = c, .im = &im, .across = o->quick ? 1 : 2};
-        v.t.user = &how[i];
-        whole = whitted_draw(&v, o->threads);
-        label_panel(&sheet, 2, rows, 6, i, &im);
+    enum { gap = 6 };
+    int h = w * 3 / 4;
+    traced_view v[4];
+    panel p[4];
+    for (int i = 0; i < n; i++) {
+        v[i] = whitted_view(s, c, w, h), v[i].t.user = &how[i];
+        p[i] = (panel){title[i], &v[i]};
     }
-    panels_save(o, &sheet, 2, rows, 6, title, name, whole);
-    image_free(&im), stage_end(s), free(s);
+    panels_draw(o, name, false, (panels_shape){2 * w + gap, n / 2 * (h + gap) - gap, 2, n / 2, gap,
+                                               o->quick ? 1 : 2, false}, traced_colour, p);
+    stage_end(s), free(s);
 }
 
 cold_inline void draw_tank(const options *o)

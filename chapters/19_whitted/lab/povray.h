@@ -56,10 +56,12 @@ cold_inline void povray_race(const char *path)
     povray_write(w, out.stream);
     if (!file_commit(&out, &f)) fail(f);
     image im = image_new(480, 360);
-    whitted_view v = {stage_tracer(w), .c = forty_camera((real)4 / 3), .across = 1, .im = &im};
+    trace_counts n = {0};
+    traced_view v = whitted_view(w, forty_camera((real)4 / 3), im.width, im.height);
+    v.counts = &n;
     clock_t start = clock();
-    whitted_draw(&v, 1);
-    printf("forty balls: %zu shadow rays, %.4f CPU-seconds\n", v.counts.rays[RAY_SHADOW],
+    pixels_draw(&im, 1, 1, "drawing", traced_colour, &v);
+    printf("forty balls: %zu shadow rays, %.4f CPU-seconds\n", n.rays[RAY_SHADOW],
            (double)(clock() - start) / CLOCKS_PER_SEC);
     image_free(&im), stage_end(w), free(w);
 }

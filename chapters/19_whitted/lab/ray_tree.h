@@ -21,6 +21,7 @@ enum { ray_tree_most = 4096 };
 typedef struct {
     ray_kind kind;
     int from, depth;       /* number of the ray before it, -1: the eye */
+    ray r;
     real t, weight, lit;   /* infinity: in the sky; largest component; of a shadow ray: arrives */
 } ray_tree_node;
 
@@ -37,13 +38,12 @@ static inline int ray_tree_add(whitted_log *log, ray_kind kind, int from, int de
                                vec3 weight, real lit)
 {
     ray_tree *x = (ray_tree *)log;
-    (void)r;
     if (x->n == ray_tree_most) {
         x->full = true;
         return ray_tree_most - 1;
     }
     real most = real_max(real_max(weight.x, weight.y), weight.z);
-    x->node[x->n] = (ray_tree_node){kind, from, depth, t, most, lit};
+    x->node[x->n] = (ray_tree_node){kind, from, depth, r, t, most, lit};
     return x->n++;
 }
 
