@@ -18,6 +18,7 @@
  * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
  *
  *   box_ray q = box_ray_of(r, &root, NULL)    prepares the ray once: origin and 1 / D, in float
+ *   box_ray_owing(r, &root, more)             the same; its items owe so much more (16)
  *   box_ray_naive(r, &root, NULL)             the same without what follows: loses hits
  *   limit = box_ray_limit(&q, t)              t as a float, for comparing with t_enter
  *   enter = box_enter(&box, &q, limit, &exit) the part [enter, exit] of [tmin, limit]       (14.2)
@@ -154,13 +155,12 @@ static inline void box_ray_axis(box_ray *q, int k, float low, float high, float 
 }
 
 __attribute__((always_inline))  /* a call writes 80 bytes and reads them again: 10 % of a ray */
-static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
+static inline box_ray box_ray_owing(ray r, const bvh_box *all, real more)
 {
     box_ray q;
-    (void)context;  /* for those who owe more than this: search.h */
     real longest = fabs(vaxis(r.d, vlongest(r.d)));
     real reach = box_reach(all, r.o);
-    real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
+    real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100 + more;  /* (14.3) */
     q.scale = direction_scale(longest);
     /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
      * from the numbers below FLT_MIN, with which processors are slow: 10 ns a ray. */
@@ -172,6 +172,12 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
         box_ray_axis(&q, k, float_beyond(o + delta), float_beyond(delta - o), i);
     }
     return q;
+}
+
+fast_inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
+{
+    (void)context;
+    return box_ray_owing(r, all, 0);
 }
 
 /* o = (0, 0, 2/3), a flat box in the plane z = 1/3 of which the float bounds are 1/3 rounded down

@@ -5,13 +5,15 @@
  *   instances_free(&x)
  *
  *   how.boxes                INSTANCES_CORNERS, _POINTS, _NAIVE: below
- *   how.upper, how.lower     of the trees, as in 14; an instance costs far more than a triangle:
- *                            one in a leaf
+ *   how.upper                of the tree over the instances, as in 14; an instance costs far more
+ *                            than a triangle: one in a leaf
+ *   how.lower                of the trees of the meshes, as in 15
  */
 #ifndef INSTANCES_BUILD_H
 #define INSTANCES_BUILD_H
 
-#include "../14_bvh/bvh_mesh.h"
+#include "../14_bvh/search.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "placing.h"
 
 typedef enum {
@@ -22,11 +24,12 @@ typedef enum {
 
 typedef struct {
     instances_boxes boxes;
-    bvh_options upper, lower;
+    bvh_options upper;
+    bvh8_options lower;
 } instances_options;
 
 #define instances_defaults \
-    ((instances_options){INSTANCES_POINTS, bvh_leaves(1, 4), bvh_defaults})
+    ((instances_options){INSTANCES_POINTS, bvh_leaves(1, 4), bvh8_defaults})
 
 typedef struct { affine to_object; uint32_t mesh, index; } placed;  /* in the order of the leaves */
 
@@ -37,7 +40,8 @@ typedef struct {
     real by_origin;       /* of (16.3), the largest: what each ray pays for its |O|; -1: naive */
     size_t n, meshes;
     const mesh *mesh;     /* [meshes] the caller's */
-    bvh_mesh *lower;      /* [meshes] */
+    bvh8 *lower;          /* [meshes] */
+    aabb *box;            /* [meshes] of what of each can be hit */
     size_t bytes;         /* of both levels, without the meshes themselves */
 } instances;
 
@@ -45,20 +49,23 @@ typedef struct {
 
 static inline void instances_free(instances *x)
 {
-    for (size_t i = 0; i < x->meshes && x->lower; i++) bvh_mesh_free(&x->lower[i]);
+    for (size_t i = 0; i < x->meshes && x->lower; i++) bvh8_free(&x->lower[i]);
     tree_free(&x->tree);
-    free(x->lower), free(x->place), free(x->where);
+    free(x->lower), free(x->box), free(x->place), free(x->where);
     *x = (instances){0};
 }
 
-/* The points that triangles of the tree use, each once; *n of them. */
-static inline vec3 *mesh_points(const mesh *m, const bvh_mesh *b, size_t *n)
+/* The points of triangles that can be hit, each once; *n of them. */
+static inline vec3 *mesh_points(const mesh *m, size_t *n)
 {
+    const items x = items_of_mesh(m);
     vec3 *p = allocate(m->vertices, sizeof *p);
     bool *used = allocate(m->vertices, sizeof *used);
-    for (size_t i = 0; i < b->tree.items; i++)
-        for (size_t k = 0; k < 3; k++)
-            used[m->index[3 * (size_t)b->triangle[i].index + k]] = true;
+    for (size_t i = 0; i < m->triangles; i++) {
+        aabb box;
+        if (!items_bounds(&x, i, &box)) continue;
+        for (size_t k = 3 * i; k < 3 * i + 3; k++) used[m->index[k]] = true;
+    }
     *n = 0;
     for (size_t i = 0; i < m->vertices; i++)
         if (used[i]) p[(*n)++] = m->v[i];
@@ -66,19 +73,15 @@ static inline vec3 *mesh_points(const mesh *m, const bvh_mesh *b, size_t *n)
     return p;
 }
 
-/* The largest coordinate of a box. */
-static inline real box_farthest(const bvh_box *b) { return box_reach(b, (vec3){0, 0, 0}); }
-
 /* What the upper tree needs of one instance; false if it is never hit. */
 static inline bool instance_item(const instances *x, instances_boxes boxes, const instance *s,
                                  const vec3 *points, size_t n, bvh_box *box, placed *place,
                                  real *by_origin)
 {
-    const bvh_tree *lower = &x->lower[s->mesh].tree;
-    if (lower->items == 0 || !instance_inverse(s->to_world, &place->to_object)) return false;
-    const bvh_box *root = lower->node;
-    placing p = placing_of(s->to_world, place->to_object, box_farthest(root));
-    aabb w = boxes == INSTANCES_CORNERS ? box_of_corners(s->to_world, root)
+    const aabb *b = &x->box[s->mesh];
+    if (aabb_is_empty(*b) || !instance_inverse(s->to_world, &place->to_object)) return false;
+    placing p = placing_of(s->to_world, place->to_object, aabb_reach(*b));
+    aabb w = boxes == INSTANCES_CORNERS ? box_of_corners(s->to_world, b)
                                         : box_of_points(s->to_world, points, n);
     *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w) : box_padded(&w, p.fixed);
     *by_origin = boxes == INSTANCES_NAIVE ? -1 : p.by_origin;
@@ -95,7 +98,7 @@ static inline void instances_items(instances *x, const crowd *c, instances_boxes
     x->by_origin = boxes == INSTANCES_NAIVE ? -1 : 0;
     for (size_t k = 0; k < c->meshes; k++) {
         bool tight = boxes != INSTANCES_CORNERS;
-        vec3 *points = tight ? mesh_points(&c->mesh[k], &x->lower[k], &count) : NULL;
+        vec3 *points = tight ? mesh_points(&c->mesh[k], &count) : NULL;
         for (size_t i = 0; i < c->n; i++) {
             real by_origin;
             if (c->list[i].mesh != k) continue;
@@ -128,12 +131,15 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
     if (!crowd_is_usable(c, f)) return false;
     out->n = c->n, out->meshes = c->meshes, out->mesh = c->mesh;
     out->lower = allocate(c->meshes, sizeof *out->lower);
+    out->box = allocate(c->meshes, sizeof *out->box);
     for (size_t k = 0; k < c->meshes; k++) {
-        if (!bvh_mesh_build(&c->mesh[k], how.lower, &out->lower[k], f)) {
+        const items x = items_of_mesh(&c->mesh[k]);
+        if (!items_all_bounds(&x, &out->box[k], f)
+            || !bvh8_build(&x, how.lower, &out->lower[k], f)) {
             instances_free(out);
             return false;
         }
-        out->bytes += out->lower[k].tree.held.bytes;
+        out->bytes += out->lower[k].room.bytes;
     }
     bvh_item *item = allocate(c->n, sizeof *item);
     placed *all = allocate(c->n, sizeof *all);

@@ -1,6 +1,6 @@
 /* instances.h: one mesh, many places (实例化): a tree of two levels (两级加速结构).
  *
- *      upper tree: boxes in the world              (A, a)_i             lower trees: one a mesh
+ *   upper tree (14): boxes in the world      (A, a)_i         lower trees (15): one a mesh
  *           0                                    O' = A O + a
  *         /   \          leaf: instance i  ---   D' = A D       --->      0
  *       [i]   [j]                                same t                  / \  triangles
@@ -25,7 +25,8 @@
  *   input                                             answer
  *   no instances, no meshes, an empty mesh            never hit
  *   a transform that is singular, not finite          never hit: see placing.h
- *   instance.mesh out of range; 2^31 instances        false, f says so; *out is zeroed
+ *   instance.mesh out of range; 2^31 instances;       false, f says so; *out is zeroed
+ *     a mesh beyond items_most (09)
  *
  * Memory: 104 bytes an instance (float: 56) and 4 to find it again, up to 64 for its nodes; the
  * meshes and their trees once. An instance of instances is not offered: its leaf would search a
@@ -49,18 +50,12 @@ typedef struct {
     bool naive;             /* normalises */
 } instances_context;
 
-/* box_ray_of, and both origins moved on by what (16.3) asks of a ray from here. */
-static inline box_ray instances_box_ray(ray r, const bvh_box *root, const void *context)
+/* With what (16.3) asks of a ray from here. */
+fast_inline box_ray instances_box_ray(ray r, const bvh_box *root, const void *context)
 {
     const instances *x = ((const instances_context *)context)->x;
-    real pad = x->by_origin * vlargest(r.o);
     if (x->by_origin < 0) return box_ray_naive(r, root, NULL);
-    box_ray q = box_ray_of(r, root, NULL);
-    for (int k = 0; k < 3; k++) {
-        q.o_near[k] = float_beyond((real)q.o_near[k] + pad);
-        q.o_far[k] = float_beyond((real)q.o_far[k] + pad);
-    }
-    return q;
+    return box_ray_owing(r, root, x->by_origin * vlargest(r.o));
 }
 
 fast_inline bool instances_leaf(const void *context, uint32_t first, uint32_t count, query *q,
@@ -69,18 +64,13 @@ fast_inline bool instances_leaf(const void *context, uint32_t first, uint32_t co
     const instances_context *c = context;
     bool found = false;
     for (const placed *p = c->x->place + first, *end = p + count; p < end; p++) {
-        const bvh_mesh *b = &c->x->lower[p->mesh];
         ray r;
         hit h;
         if (!instance_ray(&p->to_object, q->r, &r)) continue;
         if (c->naive) r.d = vunit(r.d);
-        if (any) {
-            if (c->lower ? bvh_mesh_occluded_counted(b, r, c->lower)
-                         : bvh_mesh_occluded(b, r)) return true;
+        if (!bvh8_ask(&c->x->lower[p->mesh], r, bvh8_skip_none, any ? NULL : &h, c->lower))
             continue;
-        }
-        if (!(c->lower ? bvh_mesh_hit_counted(b, r, &h, c->lower)
-                       : bvh_mesh_hit(b, r, &h))) continue;
+        if (any) return true;
         uint32_t k = h.shape;
         h.shape = p->index;  /* at equal t the lowest instance */
         if (!query_improves(q, h)) continue;

@@ -148,18 +148,18 @@ static inline real placing_pad(const placing *p, vec3 o)
 }
 
 /* One axis of the turned box: of each of its three edges, the end that lies lower and higher. */
-static inline void corner_range(vec3 row, real at, const bvh_box *b, real *lo, real *hi)
+static inline void corner_range(vec3 row, real at, const aabb *b, real *lo, real *hi)
 {
     *lo = *hi = at;
     for (int j = 0; j < 3; j++) {
-        real x = vaxis(row, j) * (real)b->low[j], y = vaxis(row, j) * (real)box_high(b, j);
+        real x = vaxis(row, j) * vaxis(b->lo, j), y = vaxis(row, j) * vaxis(b->hi, j);
         *lo += real_min(x, y), *hi += real_max(x, y);
     }
 }
 
 /* (16.2): lo_i = m_i + sum_j min(M_ij lo'_j, M_ij hi'_j): the box of the eight corners, without
  * going through them. */
-static inline aabb box_of_corners(affine m, const bvh_box *b)
+static inline aabb box_of_corners(affine m, const aabb *b)
 {
     aabb w;
     corner_range((vec3){m.x.x, m.y.x, m.z.x}, m.o.x, b, &w.lo.x, &w.hi.x);

@@ -37,6 +37,7 @@ typedef struct {
     world_part *part;         /* [world.parts] id: its place; no_shape: of shapes */
     trace_world world;        /* these */
     instances moved;          /* numbered as the places are; .n 0: none was */
+    mesh *moved_mesh;         /* [meshes + 1] theirs: those of s, or empty */
     placing *pad;             /* [places] of those that were moved */
     size_t solids;
 } studio_tree;
@@ -47,7 +48,7 @@ static inline void studio_tree_free(studio_tree *t)
 {
     for (size_t k = 0; k < t->world.parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
-    free(t->all), free(t->part), free(t->pad);
+    free(t->all), free(t->part), free(t->pad), free(t->moved_mesh);
     *t = (studio_tree){.s = NULL};
 }
 
@@ -66,14 +67,13 @@ static inline bool studio_tree_moved(studio_tree *t, const crowd *c, size_t poin
     instances_options how = instances_defaults;
     how.boxes = points > 20000000 ? INSTANCES_CORNERS : INSTANCES_POINTS;
     if (!instances_build(c, how, &t->moved, f)) return false;
-    t->moved.mesh = t->s->mesh;  /* those of the crowd end; the trees copied what they need */
     t->pad = allocate(c->n, sizeof *t->pad);
     for (size_t i = 0; i < c->n; i++) {
         uint32_t where = t->moved.where[i];
         if (where == no_shape) continue;
         const placed *p = &t->moved.place[where];
         t->pad[i] = placing_of(c->list[i].to_world, p->to_object,
-                               box_farthest(t->moved.lower[p->mesh].tree.node));
+                               aabb_reach(t->moved.box[p->mesh]));
     }
     return true;
 }
@@ -84,7 +84,7 @@ static inline bool studio_tree_places(studio_tree *t, failure *f)
 {
     const studio *s = t->s;
     bool *has = allocate(s->meshes, sizeof *has), ok = true;
-    mesh *used = allocate(s->meshes + 1, sizeof *used);
+    mesh *used = t->moved_mesh = allocate(s->meshes + 1, sizeof *used);
     instance *list = allocate(s->places, sizeof *list);
     size_t moved = 0, points = 0;
     for (uint32_t i = 0; ok && i < s->places; i++) {
@@ -97,7 +97,7 @@ static inline bool studio_tree_places(studio_tree *t, failure *f)
     }
     const crowd c = {used, s->meshes + 1, list, s->places};
     if (ok && moved) ok = studio_tree_moved(t, &c, points, f);
-    free(has), free(used), free(list);
+    free(has), free(list);
     return ok;
 }
 

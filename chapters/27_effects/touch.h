@@ -182,7 +182,7 @@ static inline bool touch_leaf(const void *context, uint32_t first, uint32_t coun
         ray r;
         hit h;
         if (p->index != c->q->of.place && instance_ray(&p->to_object, q->r, &r)
-            && bvh_mesh_hit(&t->moved.lower[p->mesh], r, &h))
+            && bvh8_hit(&t->moved.lower[p->mesh], r, &h))
             touch_note(c->q, (studio_hit){h, p->index});
     }
     return false;

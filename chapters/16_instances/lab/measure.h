@@ -9,6 +9,7 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../09_aabb/trials/survey.h"
+#include "../../14_bvh/bvh_mesh.h"
 #include "flattened.h"
 #include "forest.h"
 
@@ -24,12 +25,13 @@ typedef struct {
 typedef struct {
     const char *name;
     instances_boxes boxes;
-    bool flat, unit;
+    bool flat, unit, binary;     /* binary: the meshes in trees of 14 */
     const instances_survey *s;
     const crowd *c;              /* that it is built of */
     instances x;                 /* or, flattened: */
     mesh m;
-    bvh_mesh b;
+    bvh8 b;
+    bvh_mesh two[forest_kinds];
 } instances_method;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -60,8 +62,11 @@ static inline void method_build(size_t i, void *methods)
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
     if (m->flat) m->m = crowd_flattened(c);
-    if (m->flat ? !bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)
+    const items flat = items_of_mesh(&m->m);
+    if (m->flat ? !bvh8_build(&flat, bvh8_defaults, &m->b, &f)
                 : !instances_build(c, how, &m->x, &f)) fail(f);
+    for (size_t k = 0; m->binary && k < c->meshes; k++)
+        if (!bvh_mesh_build(&c->mesh[k], bvh_defaults, &m->two[k], &f)) fail(f);
 }
 
 static inline void methods_build(instances_method *m, int n, const crowd *c)
@@ -72,21 +77,60 @@ static inline void methods_build(instances_method *m, int n, const crowd *c)
 
 static inline void method_free(instances_method *m)
 {
-    instances_free(&m->x), bvh_mesh_free(&m->b), mesh_free(&m->m);
+    instances_free(&m->x), bvh8_free(&m->b), mesh_free(&m->m);
+    for (size_t k = 0; k < forest_kinds; k++) bvh_mesh_free(&m->two[k]);
 }
 
 /* Without the caller's meshes, if it is flattened. */
 static inline double method_megabytes(const instances_method *m)
 {
-    size_t bytes = m->flat ? mesh_bytes(&m->m) + m->b.tree.held.bytes : m->x.bytes;
-    for (size_t k = 0; !m->flat && k < m->s->c.meshes; k++) bytes += mesh_bytes(&m->s->c.mesh[k]);
+    size_t bytes = m->flat ? mesh_bytes(&m->m) + m->b.room.bytes : m->x.bytes;
+    for (size_t k = 0; !m->flat && k < m->s->c.meshes; k++) {
+        bytes += mesh_bytes(&m->s->c.mesh[k]);
+        if (m->binary) bytes += m->two[k].tree.held.bytes - m->x.lower[k].room.bytes;
+    }
     return (double)bytes * 0x1p-20;
+}
+
+/* instances_leaf, but for the trees of the meshes. */
+typedef struct { instances_context c; const bvh_mesh *lower; } binary_context;
+
+fast_inline bool binary_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                             bool any)
+{
+    const binary_context *b = context;
+    bool found = false;
+    (void)any;
+    for (const placed *p = b->c.x->place + first, *end = p + count; p < end; p++) {
+        const bvh_mesh *m = &b->lower[p->mesh];
+        ray r;
+        hit h;
+        if (!instance_ray(&p->to_object, q->r, &r)) continue;
+        if (!(b->c.lower ? bvh_mesh_hit_counted(m, r, &h, b->c.lower) : bvh_mesh_hit(m, r, &h)))
+            continue;
+        uint32_t k = h.shape;
+        h.shape = p->index;
+        if (query_improves(q, h)) *b->c.triangle = k, found = true;
+    }
+    return found;
+}
+
+static inline bool binary_hit(const instances_method *m, ray r, instance_hit *out,
+                              instances_work *work)
+{
+    const binary_context b = {{&m->x, &out->h.shape, work ? &work->lower : NULL, false}, m->two};
+    hit h;
+    if (!tree_search(&m->x.tree, r, instances_box_ray, binary_leaf, &b, false, &h,
+                     work ? &work->upper : NULL)) return false;
+    *out = (instance_hit){{h.t, h.u, h.v, out->h.shape}, h.shape};
+    return true;
 }
 
 /* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
 static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
 {
-    if (m->flat) return bvh_mesh_hit(&m->b, r, &h->h);
+    if (m->flat) return bvh8_hit(&m->b, r, &h->h);
+    if (m->binary) return binary_hit(m, r, h, NULL);
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
@@ -143,7 +187,8 @@ static inline void method_work(const instances_method *m, double *entered, doubl
     instance_hit h;
     const ray_set *s = &m->s->eye;
     for (size_t i = 0; i < s->n; i++) {
-        if (m->flat) bvh_mesh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
+        if (m->flat) bvh8_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
+        else if (m->binary) binary_hit(m, s->r[i], &h, &w);
         else instances_hit_counted(&m->x, s->r[i], &h, &w);
     }
     *entered = (double)w.upper.tests / (double)s->n, *tests = (double)w.lower.tests / (double)s->n;
@@ -151,11 +196,12 @@ static inline void method_work(const instances_method *m, double *entered, doubl
 
 static inline void table_of_methods(const options *o)
 {
-    enum { n = 5 };
+    enum { n = 6 };
     instances_survey s;
     instances_method m[n] = {
         {"flattened, one tree", .boxes = INSTANCES_POINTS, .flat = true},
         {"boxes of points", .boxes = INSTANCES_POINTS},
+        {"meshes as in 14", .boxes = INSTANCES_POINTS, .binary = true},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
     double eye[n];

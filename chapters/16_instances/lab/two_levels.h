@@ -32,17 +32,34 @@ static inline mesh two_wall(void)
     return m;
 }
 
-/* All of a tree's boxes; leaves and the root may be filled. */
-static inline void two_tree(figure *g, const bvh_tree *tree, const char *colour, double leaf,
-                            double root)
+static inline void two_box(figure *g, aabb b, const char *colour, double fill)
+{
+    double x0 = (double)b.lo.x, y0 = (double)b.lo.y, x1 = (double)b.hi.x, y1 = (double)b.hi.y;
+    double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
+    figure_polygon(g, 4, xy, colour, fill, colour);
+}
+
+/* The world's tree: all its boxes, leaves filled. */
+static inline void two_upper(figure *g, const bvh_tree *tree)
 {
     for (size_t k = 0; k < tree->nodes; k++) {
         const bvh_node *n = &tree->node[k];
-        double x0 = (double)n->low[0], x1 = (double)box_high(n, 0);
-        double y0 = (double)n->low[1], y1 = (double)box_high(n, 1);
-        double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
-        if (k == 1) continue;  /* not used */
-        figure_polygon(g, 4, xy, colour, !k ? root : n->count ? leaf : 0, colour);
+        const aabb b = {vec(n->low[0], n->low[1], n->low[2]),
+                        vec(box_high(n, 0), box_high(n, 1), box_high(n, 2))};
+        if (k != 1) two_box(g, b, FIGURE_BLUE, n->count ? 0.1 : 0);  /* 1 is not used */
+    }
+}
+
+/* The object's: up to eight children of each node, and its whole. */
+static inline void two_lower(figure *g, const bvh8 *w, aabb all)
+{
+    two_box(g, all, FIGURE_PURPLE, 0.08);
+    for (size_t k = 0; k < 8 * w->nodes; k++) {
+        const float *at = &w->node[k / 8].side[0][k % 8];
+        aabb b = {vec(at[0], at[8], at[16]), vec(at[24], at[32], at[40])};
+        if (!(b.lo.x <= b.hi.x)) continue;  /* an empty place */
+        b = (aabb){frame_back(&w->frame, b.lo), frame_back(&w->frame, b.hi)};
+        two_box(g, b, FIGURE_PURPLE, 0);
     }
 }
 
@@ -101,7 +118,7 @@ cold_inline void draw_two_levels(const options *o)
         die(1, "the drawing's ray is too short");
     figure g = figure_begin(o, "16_instances_levels.svg", 900, 370);
     figure_origin(&g, 14, 318, 62);
-    two_tree(&g, &x.tree, FIGURE_BLUE, 0.1, 0);
+    two_upper(&g, &x.tree);
     for (uint32_t i = 0; i < two_instances; i++)
         two_shape(&g, list[i].to_world, i == h.instance ? 0.8 : 0.25);
     two_ray(&g, r, 0, 8.4, h.h.t);
@@ -109,7 +126,7 @@ cold_inline void draw_two_levels(const options *o)
     figure_text(&g, 0, 0, 0, 30, FIGURE_LEFT, FIGURE_BLUE,
                 "the world: TLAS, boxes round instances");
     figure_origin(&g, 778, 160, 62);
-    two_tree(&g, &x.lower[0].tree, FIGURE_PURPLE, 0, 0.08);
+    two_lower(&g, &x.lower[0], x.box[0]);
     two_shape(&g, affine_translation((vec3){0, 0, 0}), 0.8);
     two_ray(&g, in, (int)h.h.t, (double)h.h.t + 1.3, h.h.t);
     figure_origin(&g, 612, 318, 1);
