@@ -8,6 +8,9 @@
 
 static grid_options how;
 static nested_options nested_how;
+/* Without exact marking: quick. */
+static const grid_options grid_by_bounds = {27, false, true, (size_t)1 << 30};
+static const nested_options nested_by_bounds = {0.1, 4, false, true, (size_t)1 << 30};
 STRUCTURE_TESTED(grid, how)
 STRUCTURE_TESTED(nested, nested_how)
 
@@ -83,8 +86,6 @@ static void test_walk_keeps_its_promise(void)
 static void test_early_is_wrong(void)
 {
     mesh m = mesh_room(60);
-    failure f;
-    grid g;
     hit h;
     set_triangle(&m, 0, (vec3){0, -1, 0}, (vec3){8, 1, 4}, (vec3){8, -1, 4});   /* a */
     set_triangle(&m, 1, (vec3){5, -1, 1}, (vec3){5, 1, 4}, (vec3){5, -1, 4});   /* b */
@@ -92,7 +93,7 @@ static void test_early_is_wrong(void)
         set_triangle(&m, i, vec((i % 8), 3, 0), vec((i % 8), 3, 1),
                      vec((i % 8), 4, (i % 5)));
     items x = items_of_mesh(&m);
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    grid g = grid_made(&x, grid_defaults);
     ray r = ray_from(vec(-1, -0.5, 3.25), (vec3){1, 0, 0});
     check(grid_hit(&g, r, &h) && h.shape == 1, "b is in front");
     size_t lost = 0;
@@ -112,11 +113,9 @@ static void test_early_is_wrong(void)
 static mesh specks_mesh(size_t n, uint64_t seed)
 {
     mesh m = mesh_room(n);
-    failure f;
-    grid g;
     m.v[1] = m.v[2] = (vec3){1, 1, 1};
     items x = items_of_mesh(&m);
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    grid g = grid_made(&x, grid_defaults);
     for (size_t i = 1; i < n; i++) {
         random_stream s = random_start(seed, i, 0);
         vec3 c = {random_next(&s), random_next(&s), random_next(&s)};
@@ -153,9 +152,7 @@ static void test_specks(void)
     size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_added = 0, hits = 0;
     mesh m = specks_mesh(n, 1);
     items x = items_of_mesh(&m);
-    failure f;
-    grid g;
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    grid g = grid_made(&x, grid_defaults);
     for (size_t i = 0; i < rays; i++) {
         ray r = specks_ray(&m, 1, i);
         hit a = hit_none, b = hit_none, c = hit_none;
@@ -168,42 +165,12 @@ static void test_specks(void)
     grid_free(&g), mesh_free(&m);
 }
 
-/* A walk ends with its hit: as many cells as for the same ray that ends there from the start. Two
- * levels, too. */
-static void test_walk_ends_with_its_hit(void)
-{
-    mesh m = torus_mesh(24);
-    items x = items_of_mesh(&m);
-    failure f;
-    grid g;
-    nested n;
-    search_work whole = {0, 0, 0, 0}, ended = whole, parts = whole, parts_ended = whole;
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
-    if (!nested_build(&x, nested_defaults, &n, &f)) fail(f);
-    for (size_t i = 0; i < check_count(4000); i++) {
-        random_stream s = random_start(15, i, 0);
-        vec3 o = random_in_cube(&s, 3);
-        ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
-        hit h, again;
-        bool met = grid_hit_counted(&g, r, &h, &whole);
-        nested_hit_counted(&n, r, &again, &parts);
-        if (met) r.tmax = h.t;
-        grid_hit_counted(&g, r, &again, &ended);
-        nested_hit_counted(&n, r, &again, &parts_ended);
-    }
-    check_equal(whole.nodes, ended.nodes, "cells asked, and of rays that end at their hits");
-    check_equal(parts.nodes, parts_ended.nodes, "two levels: the same");
-    grid_free(&g), nested_free(&n), mesh_free(&m);
-}
-
 /* ---- lists, limits, work ---- */
 
 /* Every item is in every cell that it touches, once; and in no cell beyond the margin. */
 static void check_lists(const char *what, const items *x, grid_options o)
 {
-    failure f;
-    grid g;
-    if (!grid_build(x, o, &g, &f)) fail(f);
+    grid g = grid_made(x, o);
     size_t lost = 0, astray = 0, unordered = 0, cells = lattice_cells(&g.cells), marks = 0;
     uint32_t *at = allocate(cells, sizeof *at);
     for (size_t c = 0; c < cells; c++) {
@@ -268,39 +235,17 @@ static void test_resolution(void)
     }
 }
 
-/* What stats reports suffices as a limit, one byte less does not. */
-static void test_limit_is_exact(void)
+/* What stats reports is what the arrays take; what suffices as a limit: structure_limited. */
+static void test_bytes(void)
 {
     mesh m = teapot_mesh(4);
-    items all = items_of_mesh(&m), *x = &all;
-    failure f;
-    grid g;
-    nested n;
-    grid_options o = grid_defaults;
-    nested_options p = nested_defaults;
-    o.exact = p.exact = false;  /* quick */
-    if (!grid_build(x, o, &g, &f)) fail(f);
-    if (!nested_build(x, p, &n, &f)) fail(f);
-    o.most_bytes = grid_stats(&g).peak, p.most_bytes = nested_stats(&n).peak;
+    items x = items_of_mesh(&m);
+    grid g = grid_made(&x, grid_defaults);
     const cell_lists *l = &g.lists;  /* where each list begins and the last ends; a bit a cell */
-    check_equal((double)o.most_bytes,
+    check_equal((double)grid_stats(&g).peak,
                 4 * (double)(l->cells + 1) + 4 * (double)l->references
                     + 8 * (double)(l->cells / 64 + 1), "bytes, by the arrays' lengths");
-    grid_free(&g), nested_free(&n);
-    check(grid_build(x, o, &g, &f), "grid: fits into its peak of %zu bytes", o.most_bytes);
-    check(nested_build(x, p, &n, &f), "two levels: fit into their peak of %zu", p.most_bytes);
-    grid_free(&g), nested_free(&n);
-    o.most_bytes--, p.most_bytes--;
-    check(!grid_build(x, o, &g, &f) && f.exit_code == 1, "grid: a byte less is refused");
-    check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "two levels: a byte less is refused");
-    size_t peak = p.most_bytes, outer = 0;
-    for (size_t k = 0; k < 32; k++) {
-        p.most_bytes = peak / 32 * k;
-        check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "%zu of 32 parts of it: refused", k);
-        outer += strstr(f.text, "outer cells do not fit") != NULL;
-    }
-    check_at_least(outer, 1, "once all of the outer grid fits, but not what lies in it");
-    mesh_free(&m);
+    grid_free(&g), mesh_free(&m);
 }
 
 /* No array stands behind this number: nothing is read before it is refused. */
@@ -328,7 +273,6 @@ static void test_limits(void)
     o.most_bytes = 4 * 27 * m.triangles + 40000;  /* cells fit, references do not */
     check(!grid_build(&x, o, &g, &f) && f.exit_code == 1 && strstr(f.text, "references"),
           "references beyond most_bytes are refused");
-    grid_free(&g);
     o = grid_defaults;
     double bad[] = {0, -1, (double)NAN, 1e-7, 1e7, (double)INFINITY};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -350,15 +294,12 @@ static void test_sizes(void)
     int least = real_is_float ? -25 : -280, most = real_is_float ? 5 : 74;
     for (int e = least; e <= most; e += (most - least) / 6) {
         mesh m = torus_mesh(8);
-        failure f;
-        grid g;
-        nested n;
         real scale = pow((real)10, (real)e);
         for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], scale);
         items x = items_of_mesh(&m);
-        bool built = grid_build(&x, grid_defaults, &g, &f);
-        check(built && lattice_cells(&g.cells) > 20 * m.triangles, "a grid of size 1e%d", e);
-        check(nested_build(&x, nested_defaults, &n, &f), "two levels of size 1e%d", e);
+        grid g = grid_made(&x, grid_defaults);
+        nested n = nested_made(&x, nested_defaults);
+        check_at_least(lattice_cells(&g.cells), 20 * m.triangles, "a grid of size 1e%d", e);
         grid_free(&g), nested_free(&n), mesh_free(&m);
     }
 }
@@ -371,11 +312,8 @@ static void test_far_rays_are_cheap(void)
     const double *away = real_is_float ? away_float : away_double;
     mesh m = teapot_mesh(24);
     items x = items_of_mesh(&m);
-    failure f;
-    grid g;
-    nested n;
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
-    if (!nested_build(&x, nested_defaults, &n, &f)) fail(f);
+    grid g = grid_made(&x, grid_defaults);
+    nested n = nested_made(&x, nested_defaults);
     for (size_t k = 0; k < (real_is_float ? 3 : 5); k++) {
         search_work w = {0, 0, 0, 0}, v = w;
         size_t rays = 200, wrong = 0;
@@ -402,11 +340,8 @@ static void test_far_rays_are_right(void)
     size_t rays = check_count(4000), wrong = 0, wrong_two = 0, wrong_plain = 0, hits = 0;
     mesh m = floors_mesh(4);
     items x = items_of_mesh(&m);
-    failure f;
-    grid g;
-    nested two;
-    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
-    if (!nested_build(&x, nested_defaults, &two, &f)) fail(f);
+    grid g = grid_made(&x, grid_defaults);
+    nested two = nested_made(&x, nested_defaults);
     for (size_t i = 0; i < rays; i++) {
         random_stream s = random_start(18, i, 0);
         int power = (int)(i % 8) + (real_is_float ? 1 : 6);
@@ -431,19 +366,16 @@ static void test_mailbox_and_marking(void)
 {
     mesh m = needles(700, 0.05);
     items x = items_of_mesh(&m);
-    failure f;
     grid g[3];
     search_work w[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
     size_t wrong = 0;
     for (int k = 0; k < 3; k++) {
         grid_options o = grid_defaults;
         o.exact = k != 2, o.mailbox = k != 1;
-        if (!grid_build(&x, o, &g[k], &f)) fail(f);
+        g[k] = grid_made(&x, o);
     }
     for (size_t i = 0; i < check_count(1000); i++) {
-        random_stream s = random_start(16, i, 0);
-        vec3 o = random_in_cube(&s, 3);
-        ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
+        ray r = structure_across(16, i, 3, 1);
         hit a = hit_none, b = hit_none, c = hit_none;
         bool ga = grid_hit_counted(&g[0], r, &a, &w[0]);
         bool gb = grid_hit_counted(&g[1], r, &b, &w[1]);
@@ -498,12 +430,11 @@ static void test_copies(void)
 {
     enum { copies = 2500 };
     mesh m = mesh_room(copies);
-    nested x;
     hit h = hit_none;
     for (size_t i = 0; i < copies; i++)
         set_triangle(&m, i, vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0));
     items all = items_of_mesh(&m);
-    check(nested_build(&all, nested_defaults, &x, NULL), "built of copies");
+    nested x = nested_made(&all, nested_defaults);
     double outer = 0.7 * (double)nested_stats(&x).inner * copies;  /* half, and the slant */
     check_at_most((double)nested_stats(&x).references, structure_room(copies) + outer,
                   "cells that the copies are named in");
@@ -527,14 +458,17 @@ int main(void)
                        2000);
     }
     test_drift();
-    test_walk_ends_with_its_hit();
+    structure_ends(grid, grid_defaults, check_count(4000));
+    structure_ends(nested, nested_defaults, check_count(4000));
     test_walk_keeps_its_promise();
     test_early_is_wrong();
     test_specks();
     test_lists();
     test_resolution();
     test_limits();
-    test_limit_is_exact();
+    test_bytes();
+    structure_limited(grid, grid_by_bounds, teapot_mesh(4), 1);
+    structure_limited(nested, nested_by_bounds, teapot_mesh(4), 1);
     test_too_many();
     test_sizes();
     test_far_rays_are_cheap();

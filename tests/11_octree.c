@@ -48,10 +48,7 @@ static void test_naive(void)
     size_t n = check_count(1000), textbook[3] = {0}, unpadded = 0, ours = 0;
     for (int i = 0; i < 2; i++) {
         items x = items_of_mesh(&list[i]);
-        octree t;
-        failure f;
-        how = (octree_options){4, 6, true, true, (size_t)1 << 26};
-        check(octree_build(&x, how, &t, &f), "built");
+        octree t = octree_made(&x, (octree_options){4, 6, true, true, (size_t)1 << 26});
         textbook[0] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 4, n);
         textbook[1] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 1, n);
         textbook[2] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 5, n);
@@ -76,15 +73,13 @@ static void test_beyond_the_cell(void)
 {
     mesh m = mesh_room(3);
     items x = items_of_mesh(&m);
-    octree t;
-    failure f;
     ray r = ray_from((vec3){-1, 1, 1}, (vec3){1, 0x1p-10, 0x1p-9});
     hit h = hit_none, naive = hit_none;
     set_triangle(&m, 0, (vec3){0, 3, 0}, (vec3){8, (real)5 / 7, 0}, (vec3){8, (real)5 / 7, 8});
     set_triangle(&m, 1, (vec3){5, 0, 0}, (vec3){5, 3, 0}, (vec3){5, 0, 3});
     set_triangle(&m, 2, (vec3){8, 8, 8}, (vec3){8, 8, 7}, (vec3){8, 7, 8});
-    how = (octree_options){1, 1, true, true, (size_t)1 << 26};
-    check(octree_build(&x, how, &t, &f) && t.size == 8 && t.stats.depth == 1, "one cut");
+    octree t = octree_made(&x, (octree_options){1, 1, true, true, (size_t)1 << 26});
+    check(t.size == 8 && t.stats.depth == 1, "one cut");
     octree_hit(&t, r, &h), octree_hit_textbook(&t, r, &naive);
     check(h.shape == 1 && h.t == 6, "the nearer one is found, in the second cell");
     check(naive.shape == 0 && naive.t > 7, "textbook: ends at a hit beyond the first cell");
@@ -138,12 +133,9 @@ static void test_ends_at_the_hit(void)
 {
     mesh m = floors_mesh(8);
     items x = items_of_mesh(&m);
-    octree t;
-    failure f;
+    octree t = octree_made(&x, (octree_options){16, 6, true, true, (size_t)1 << 26});
     search_work w = {0, 0, 0, 0};
     hit h;
-    how = (octree_options){16, 6, true, true, (size_t)1 << 26};
-    check(octree_build(&x, how, &t, &f), "built");
     check(octree_hit_counted(&t, ray_from(vec(-3, 0.03, 0.07), (vec3){1, 0, 0}), &h,
                              &w) && h.t == 2, "the first plane");
     check_at_most(w.leaves, 4, "leaves asked: those at the first plane alone");
@@ -156,18 +148,16 @@ static void test_counted(size_t n)
 {
     mesh m = needles(2000, 0.05);
     items x = items_of_mesh(&m);
-    octree t[2];
-    failure f;
     search_work w[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     hit h;
     for (int k = 0; k < 2; k++) {
         how = octree_defaults, how.mailbox = k == 0;
-        check(octree_build(&x, how, &t[k], &f), "built");
+        octree t = octree_made(&x, how);
         for (size_t i = 0; i < n; i++) {
             random_stream g = random_start(29, i, 0);
-            octree_hit_counted(&t[k], aimed(&m, &g, 0, (vec3){0, 0, 0}, 1), &h, &w[k]);
+            octree_hit_counted(&t, aimed(&m, &g, 0, (vec3){0, 0, 0}, 1), &h, &w[k]);
         }
-        octree_free(&t[k]);
+        octree_free(&t);
     }
     check(w[0].nodes == w[1].nodes && w[0].leaves == w[1].leaves, "the mailbox changes no walk");
     check_at_most((double)w[0].tests, 0.9 * (double)w[1].tests, "needles: tests saved");
@@ -234,14 +224,9 @@ static void test_tree(const char *name, mesh m, octree_options with, size_t poin
 {
     const octree_cell root = {0, 0, 0, 0};
     items x = items_of_mesh(&m);
-    octree t;
-    failure f;
+    octree t = octree_made(&x, with);
     census s = {.t = &t};
     size_t lost = 0;
-    if (!octree_build(&x, with, &t, &f)) {
-        check(false, "%s: built; says: %s", name, f.text);
-        return;
-    }
     count_cell(&s, 0, root);
     check(s.volume == 1, "%s: the leaves fill the cube: %.17g", name, s.volume);
     check_equal(s.bad_bits, 0, "%s: bits of inner nodes tell which children hold something", name);
@@ -296,14 +281,8 @@ static void test_trees(void)
 static structure_stats stats_of(mesh *m, octree_options with)
 {
     items x = items_of_mesh(m);
-    octree t;
-    failure f;
-    structure_stats s = {.items = 0};
-    if (!octree_build(&x, with, &t, &f)) {
-        check(false, "built; says: %s", f.text);
-        return s;
-    }
-    s = octree_stats(&t);
+    octree t = octree_made(&x, with);
+    structure_stats s = octree_stats(&t);
     octree_free(&t);
     return s;
 }
@@ -336,10 +315,8 @@ static void test_stop(void)
         set_triangle(&fan, i, (vec3){0, 0, 0}, p, q);
     }
     items x = items_of_mesh(&fan);
-    octree t;
-    failure f;
+    octree t = octree_made(&x, with);
     search_work w = {0, 0, 0, 0};
-    check(octree_build(&x, with, &t, &f), "the fan is built");
     for (size_t i = 0; i < 1000; i++) {  /* past the middle, by 0.3 */
         real a = 2 * pi * (real)i / 1000, z = (real)0.7 * cos(3 * a);
         hit h;
@@ -359,29 +336,6 @@ static void test_stop(void)
           "depth 0: one leaf of all");
     s = stats_of(&m, (octree_options){8, 99, true, true, (size_t)1 << 28});
     check_at_most(s.depth, octree_most_depth, "more than the most depth is the most depth");
-    mesh_free(&m);
-}
-
-static void test_memory(void)
-{
-    mesh m = teapot_mesh(8);
-    items x = items_of_mesh(&m);
-    size_t refused = 0, built = 0, peak = 0;
-    for (size_t most = 64; most < (size_t)1 << 24; most *= 2) {
-        octree t;
-        failure f = {0, ""};
-        if (octree_build(&x, (octree_options){8, 16, true, true, most}, &t, &f)) {
-            built++;
-            if (octree_stats(&t).peak > most) peak++;
-        } else {
-            refused++;
-            check(f.exit_code == 1 && strstr(f.text, "bytes allowed") && !t.node && !t.reference,
-                  "too little memory: says so, and nothing is left: %s", f.text);
-        }
-        octree_free(&t);
-    }
-    check(built > 2 && refused > 5, "some limits are enough, some not: %zu, %zu", built, refused);
-    check_equal(peak, 0, "the peak stays below the limit");
     mesh_free(&m);
 }
 
@@ -468,11 +422,9 @@ static void test_order(size_t n)
 {
     mesh m = octahedron_mesh(8);
     items x = items_of_mesh(&m);
-    octree t;
-    failure f;
+    octree t = octree_made(&x, (octree_options){8, 4, true, true, (size_t)1 << 26});
     size_t missing = 0, strange = 0, behind = 0, passed = 0;
     int longest = 0;
-    check(octree_build(&x, (octree_options){8, 4, true, true, (size_t)1 << 26}, &t, &f), "built");
     size_t leaves = list_leaves(&t, 0, (octree_cell){0, 0, 0, 0}, NULL, 0);
     found_leaf *leaf = allocate(leaves, sizeof *leaf);
     list_leaves(&t, 0, (octree_cell){0, 0, 0, 0}, leaf, 0);
@@ -535,12 +487,9 @@ static void test_ends(void)
         for (size_t k = 0; k < 2; k++)
             set_triangle(&m, k, (vec3){end[k], 0, 0}, (vec3){end[k], w, 0}, (vec3){end[k], 0, 0.5});
         items x = items_of_mesh(&m);
-        octree t;
-        failure f;
+        octree t = octree_made(&x, (octree_options){1, 4, true, true, (size_t)1 << 20});
         hit h = {.shape = 0};
         ray r = ray_from((vec3){end[1] + 1, 0.125, 0.125}, (vec3){-1, 0, 0});
-        check(octree_build(&x, (octree_options){1, 4, true, true, (size_t)1 << 20}, &t, &f),
-              "built");
         lost += !octree_hit(&t, r, &h) || h.shape != 1;
         octree_free(&t), mesh_free(&m);
     }
@@ -558,7 +507,7 @@ int main(void)
     test_trees();
     test_ends();
     test_stop();
-    test_memory();
+    structure_limited(octree, octree_defaults, teapot_mesh(8), 1);
     test_passed(check_count(200000));
     test_order(check_count(3000));
     test_few_digits(check_count(3000));

@@ -53,11 +53,9 @@ static void test_naive(void)
 {
     mesh m = floors_mesh(4);
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree both, one;
+    kdtree both = kdtree_made(&x, with(KD_MIDDLE, 1, true, KD_BOTH));
+    kdtree one = kdtree_made(&x, with(KD_MIDDLE, 1, true, KD_ONE));
     size_t rays = check_count(4000);
-    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &both, &f), "built");
-    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_ONE), &one, &f), "built");
     size_t strict = wrong_of(kdtree_hit_naive_strict, &both, &m, rays, true);
     size_t strict_one = wrong_of(kdtree_hit_naive_strict, &one, &m, rays, true);
     check_equal(wrong_of(kdtree_hit, &both, &m, rays, true), 0, "dyadic rays: padded search");
@@ -185,9 +183,7 @@ static bool leaf_lists(const kdtree *t, uint32_t at, const real p[3], uint32_t i
 static void invariants_of(const char *what, mesh m, kdtree_options how)
 {
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree t;
-    check(kdtree_build(&x, how, &t, &f), "%s: built", what);
+    kdtree t = kdtree_made(&x, how);
     walk w = {&t, 0, 0, 0, 0, 0, 0, 0, 0};
     walk_node(&w, 0, t.box, 0);
     structure_stats s = kdtree_stats(&t);
@@ -239,16 +235,12 @@ static void test_clip_pays(void)
 {
     mesh m = needles(1000, 0.01);
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree with_clip, without;
+    kdtree with_clip = kdtree_made(&x, kdtree_defaults);
+    kdtree without = kdtree_made(&x, with(KD_SAH, 0, false, KD_THICK));
     search_work a = {0, 0, 0, 0}, b = {0, 0, 0, 0};
-    check(kdtree_build(&x, kdtree_defaults, &with_clip, &f), "built");
-    check(kdtree_build(&x, with(KD_SAH, 0, false, KD_THICK), &without, &f), "built");
     for (size_t i = 0; i < check_count(5000); i++) {
-        random_stream g = random_start(51, i, 0);
+        ray r = structure_across(51, i, 3, 1);
         hit h;
-        vec3 o = random_in_cube(&g, 3);
-        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
         kdtree_hit_counted(&with_clip, r, &h, &a), kdtree_hit_counted(&without, r, &h, &b);
     }
     check_at_most(2 * a.tests, b.tests, "needles: clipping saves more than half of the tests");
@@ -288,9 +280,7 @@ static void test_round(void)
     }
     scene all = {s, n};
     items x = items_of_scene(&all);
-    failure f;
-    kdtree t;
-    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    kdtree t = kdtree_made(&x, kdtree_defaults);
     check_equal(listed_in_vain(&t, 0, t.box), 0, "round shapes that miss the cell of their leaf");
     kdtree_free(&t);
     free(s);
@@ -300,28 +290,11 @@ static void test_limits(void)
 {
     mesh m = teapot_mesh(4);
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree t;
     kdtree_options how = kdtree_defaults;
-    check(kdtree_build(&x, how, &t, &f), "built without a limit");
-    size_t peak = t.held.peak;
-    int refused = 0, exceeded = 0;
-    kdtree_free(&t);
-    for (int percent = 0; percent <= 100; percent += 4) {
-        how.most_bytes = peak * (size_t)percent / 100;
-        if (kdtree_build(&x, how, &t, &f)) exceeded += t.held.peak > how.most_bytes;
-        else {
-            refused++;
-            exceeded += t.node || t.triangle || t.index || !strstr(f.text, "bytes allowed");
-        }
-        kdtree_free(&t);
-    }
-    check_equal(exceeded, 0, "never more than most_bytes; what fails says why, and leaves nothing");
-    check_equal(refused, 25, "every limit below the peak refuses, the peak itself does not");
-    how = kdtree_defaults;
     for (int depth = 1; depth <= 12; depth++) {
         how.depth = depth;
-        check(kdtree_build(&x, how, &t, &f) && t.stats.depth == depth, "depth %d is kept", depth);
+        kdtree t = kdtree_made(&x, how);
+        check_equal(t.stats.depth, depth, "the depth asked for");
         kdtree_free(&t);
     }
     mesh row = mesh_room(40);  /* each half as large as the one before: a cell in a cell */
@@ -330,8 +303,8 @@ static void test_limits(void)
         set_triangle(&row, i, (vec3){s, 0, 0}, (vec3){s, s, 0}, (vec3){s, 0, s});
     }
     x = items_of_mesh(&row), how.depth = kdtree_most_depth;
-    check(kdtree_build(&x, how, &t, &f) && t.stats.depth > kd_default_depth(40),
-          "the most is allowed");
+    kdtree t = kdtree_made(&x, how);
+    check(t.stats.depth > kd_default_depth(40), "the most is allowed");
     kdtree_free(&t), mesh_free(&row);
     kdtree none = {0};
     kdtree_free(&none);
@@ -348,16 +321,14 @@ static void test_frame(void)
         {"huge", {0, 0, 0}, real_is_float ? (real)1e8 : (real)1e70}};
     mesh m = teapot_mesh(6);
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree t, u;
-    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    kdtree t = kdtree_made(&x, kdtree_defaults);
     for (size_t i = 0; i < 3; i++) {
         if (real_is_float && i == 0) continue;  /* the corners themselves would move */
         mesh c = teapot_mesh(6);
         for (size_t j = 0; j < c.vertices; j++)
             c.v[j] = vadd(vscale(c.v[j], list[i].scale), list[i].move);
         items y = items_of_mesh(&c);
-        check(kdtree_build(&y, kdtree_defaults, &u, &f), "%s: built", list[i].what);
+        kdtree u = kdtree_made(&y, kdtree_defaults);
         check_close(u.stats.references, t.stats.references, 0.02 * (double)t.stats.references,
                     "%s: as many references, but for planes that rounding moved", list[i].what);
         const structure_place place = {list[i].move, list[i].scale, 0};
@@ -395,10 +366,8 @@ static void test_no_more(void)
 {
     mesh m = teapot_mesh(8);
     items x = items_of_mesh(&m);
-    failure f;
-    kdtree t;
+    kdtree t = kdtree_made(&x, kdtree_defaults);
     size_t asked_not_met = 0, asked = 0, empty = 0;
-    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
     for (size_t i = 0; i < check_count(3000); i++) {
         random_stream g = random_start(91, i, 0);
         vec3 o = vscale(random_in_cube(&g, 1), 8);
@@ -448,6 +417,7 @@ int main(void)
     test_clip_pays();
     test_round();
     test_limits();
+    structure_limited(kdtree, kdtree_defaults, teapot_mesh(4), 1);
     test_frame();
     test_owed();
     test_no_more();

@@ -241,8 +241,7 @@ static void test_refused(void)
     how[0] = how[1] = bsp_defaults;
     how[0].candidates = 1, how[0].axis_cost = how[0].slanted_cost = 0, how[1].candidates = 10000;
     for (size_t i = 0; i < 2; i++) {
-        bsp b;
-        check(bsp_build(&x, how[i], &b, NULL), "at the end of the range, %zu: taken", i);
+        bsp b = bsp_made(&x, how[i]);
         bsp_free(&b);
     }
     mesh_free(&m);
@@ -252,21 +251,11 @@ static void test_limits(void)
 {
     mesh m = teapot_mesh(6);
     items x = items_of_mesh(&m);
-    failure f;
-    bsp b;
     bsp_options how = bsp_defaults;
-    for (size_t most = 1000; most <= 100000; most *= 100) {
-        char said[40];
-        how.most_bytes = most;
-        snprintf(said, sizeof said, "than %zu bytes", most);
-        check(!bsp_build(&x, how, &b, &f) && f.exit_code == 2 && strstr(f.text, said),
-              "too much memory is refused, not taken");
-        bsp_free(&b);
-    }
     for (int depth = 0; depth <= 8; depth += 4) {
         how = bsp_defaults;
         how.depth = depth;
-        check(bsp_build(&x, how, &b, &f), "depth %d", depth);
+        bsp b = bsp_made(&x, how);
         structure_stats s = bsp_stats(&b);
         check_equal(s.depth, depth, "no leaf is deeper than it may be, and some are as deep");
         check_equal(s.leaves, s.inner + 1, "each plane makes one cell more");
@@ -280,11 +269,11 @@ static void test_limits(void)
     x = items_of_mesh(&t);
     how = bsp_defaults;
     how.rule = BSP_FEWEST;
-    check(bsp_build(&x, how, &b, &f), "convex, fewest");
+    bsp b = bsp_made(&x, how);
     check_equal(b.cuts, 0, "fewest: planes of the faces of a convex mesh cut nothing");
     bsp_free(&b);
     how.rule = BSP_COST;
-    check(bsp_build(&x, how, &b, &f), "convex, cost");
+    b = bsp_made(&x, how);
     structure_stats s = bsp_stats(&b);
     check_at_most(s.references, 2 * s.items, "by cost: few are named twice");
     bsp_free(&b);
@@ -300,10 +289,8 @@ static void test_copies(void)
     items x = items_of_mesh(&m);
     for (int k = 0; k < 2; k++) {
         bsp_options how = bsp_defaults;
-        failure f;
-        bsp b;
         how.rule = k ? BSP_FEWEST : BSP_RANDOM, how.leaf = 1;
-        check(bsp_build(&x, how, &b, &f), "copies");
+        bsp b = bsp_made(&x, how);
         structure_stats s = bsp_stats(&b);
         check_equal(s.inner, 1, "%s: one plane, as no other parts them", rule_name[how.rule]);
         bsp_free(&b);
@@ -322,9 +309,8 @@ static void test_tiles(void)
     items x = items_of_mesh(&m);
     for (int k = 0; k < 2; k++) {
         bsp_options how = bsp_defaults;
-        bsp b;
         how.rule = k ? BSP_FEWEST : BSP_RANDOM, how.leaf = 1, how.candidates = 100;
-        check(bsp_build(&x, how, &b, NULL), "tiles");
+        bsp b = bsp_made(&x, how);
         structure_stats s = bsp_stats(&b);
         check(s.references == 8 && s.leaves - s.empty == 8, "%s: each tile is alone, and whole",
               rule_name[how.rule]);
@@ -345,9 +331,8 @@ static void test_fewest(void)
     items x = items_of_mesh(&m);
     for (uint64_t seed = 0; seed < 20; seed++) {
         bsp_options how = bsp_defaults;
-        bsp b;
         how.rule = BSP_FEWEST, how.depth = how.leaf = 1, how.candidates = 64, how.seed = seed;
-        check(bsp_build(&x, how, &b, NULL), "fewest, seed %d", (int)seed);
+        bsp b = bsp_made(&x, how);
         check_equal(b.cuts, 8, "the plane that cuts least");
         bsp_free(&b);
     }
@@ -372,11 +357,9 @@ static void test_slanted_wall(void)
     items x = items_of_mesh(&m);
     search_work slanted = {0, 0, 0, 0}, across = {0, 0, 0, 0};
     for (int k = 0; k < 2; k++) {
-        bsp b;
-        failure f;
         bsp_options how = bsp_defaults;
         how.rule = k ? BSP_AXIS : BSP_COST;
-        check(bsp_build(&x, how, &b, &f), "wall");
+        bsp b = bsp_made(&x, how);
         for (size_t i = 0; i < check_count(2000); i++) {
             random_stream g = random_start(4, i, 0);
             vec3 o = {random_next(&g), random_next(&g), 2};
@@ -395,9 +378,7 @@ static void test_same_tree(void)
 {
     mesh m = teapot_mesh(4);
     items x = items_of_mesh(&m);
-    bsp a, b;
-    failure f;
-    check(bsp_build(&x, bsp_defaults, &a, &f) && bsp_build(&x, bsp_defaults, &b, &f), "twice");
+    bsp a = bsp_made(&x, bsp_defaults), b = bsp_made(&x, bsp_defaults);
     bool equal = a.nodes == b.nodes && a.stats.references == b.stats.references
                  && memcmp(a.reference, b.reference, a.stats.references * sizeof *a.reference) == 0;
     check(equal, "one seed, one tree");
@@ -422,11 +403,9 @@ static void test_wall_goes_to_the_smaller_part(void)
         set_triangle(&m, walls + (size_t)k, vec(x, -1, -1), vec(x, -1, 1), vec(x, 1, 0));
     }
     items x = items_of_mesh(&m);
-    failure f;
-    bsp b;
+    bsp b = bsp_made(&x, bsp_defaults);
     search_work work = {0, 0, 0, 0};
     size_t rays = check_count(2000);
-    check(bsp_build(&x, bsp_defaults, &b, &f), "built");
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(16, i, 0);
         vec3 o = random_in_cube(&g, (real)0.9), to = random_in_cube(&g, 9);
@@ -435,27 +414,6 @@ static void test_wall_goes_to_the_smaller_part(void)
         bsp_hit_counted(&b, ray_from(o, to), &h, &work);
     }
     check_at_most(work.tests, rays, "tests of %zu rays beside the wall", rays);
-    bsp_free(&b), mesh_free(&m);
-}
-
-/* A search ends with its hit: as many nodes as for the same ray that ends there from the start. */
-static void test_search_ends_with_its_hit(void)
-{
-    mesh m = torus_mesh(24);
-    items x = items_of_mesh(&m);
-    failure f;
-    bsp b;
-    search_work whole = {0, 0, 0, 0}, ended = whole;
-    check(bsp_build(&x, bsp_defaults, &b, &f), "built");
-    for (size_t i = 0; i < check_count(2000); i++) {
-        random_stream g = random_start(18, i, 0);
-        vec3 o = random_in_cube(&g, 3);
-        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
-        hit h;
-        if (bsp_hit_counted(&b, r, &h, &whole)) r.tmax = h.t;
-        bsp_hit_counted(&b, r, &h, &ended);
-    }
-    check_equal(whole.nodes, ended.nodes, "nodes, and of rays that end at their hits");
     bsp_free(&b), mesh_free(&m);
 }
 
@@ -500,7 +458,8 @@ int main(void)
     test_tiles();
     test_fewest();
     test_slanted_wall();
-    test_search_ends_with_its_hit();
+    structure_ends(bsp, bsp_defaults, check_count(2000));
+    structure_limited(bsp, bsp_defaults, teapot_mesh(6), 2);
     test_naive();
     test_deep();
     test_rules();

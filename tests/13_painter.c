@@ -10,6 +10,14 @@
 
 static const char *const rule_name[painter_rules] = {"first", "random", "fewest"};
 
+static painter made(const mesh *m, painter_options how)
+{
+    painter p;
+    failure f;
+    if (!painter_build(m, how, &p, &f)) fail(f);
+    return p;
+}
+
 /* A piece as a fan of triangles. */
 static bool piece_covers(const painter *p, uint32_t k, const ray_shear *s, ray r)
 {
@@ -101,10 +109,8 @@ static void test_scene(const char *name, mesh m, real reach, bool cut)
 {
     for (int k = 0; k < painter_rules; k++) {
         painter_options how = painter_defaults;
-        painter p;
-        failure f;
         how.rule = (painter_rule)k;
-        check(painter_build(&m, how, &p, &f), "%s, %s: built", name, rule_name[k]);
+        painter p = made(&m, how);
         verdict v = look(&m, &p, false, reach, check_count(24), 60);
         check_at_most(v.wrong, real_is_float ? v.rays / 300 : 0,
                       "%s, %s: drawn last is not hit first, of %zu", name, rule_name[k], v.rays);
@@ -162,11 +168,9 @@ static void test_naive(void)
 
 static size_t pieces_of(const mesh *m, painter_rule rule, uint64_t seed)
 {
-    painter p;
-    failure f;
     painter_options how = painter_defaults;
     how.rule = rule, how.seed = seed;
-    check(painter_build(m, how, &p, &f), "built");
+    painter p = made(m, how);
     size_t n = p.pieces;
     painter_free(&p);
     return n;
@@ -221,11 +225,9 @@ static void test_scale(void)
 static void test_area(void)
 {
     mesh m = needles(100, 0.3);
-    painter p;
-    failure f;
     painter_options how = painter_defaults;
     how.rule = PAINTER_RANDOM;
-    check(painter_build(&m, how, &p, &f), "built");
+    painter p = made(&m, how);
     double *area = allocate(m.triangles, sizeof *area), worst = 0, off = 0;
     for (size_t k = 0; k < p.pieces; k++) {
         const fragment *x = &p.piece[k];
@@ -267,9 +269,7 @@ static void test_sheet(void)
         set_triangle(&m, 2 * i, q[0], q[1], q[2]);
         set_triangle(&m, 2 * i + 1, q[0], q[2], q[3]);
     }
-    painter p;
-    failure f;
-    check(painter_build(&m, painter_defaults, &p, &f), "sheet");
+    painter p = made(&m, painter_defaults);
     check_equal(p.nodes, 1, "neighbours in one plane are in one node");
     check_equal(p.pieces, 32, "and none is cut");
     painter_free(&p);
@@ -286,9 +286,7 @@ static void test_nearly_in_a_plane(void)
         real over = (real)list[i / 2].off * 2 * real_epsilon * (i % 2 ? 1 : -1);
         set_triangle(&m, 0, (vec3){-1, -1, 0}, (vec3){1, -1, 0}, (vec3){-1, 1, 0});
         set_triangle(&m, 1, (vec3){1, -1, over}, (vec3){1, 1, over}, (vec3){-1, 1, over});
-        painter p;
-        failure f;
-        check(painter_build(&m, painter_defaults, &p, &f), "two triangles");
+        painter p = made(&m, painter_defaults);
         check_equal(p.nodes, list[i / 2].nodes, "%d epsilon over a plane: nodes", list[i / 2].off);
         painter_free(&p), mesh_free(&m);
     }
@@ -300,13 +298,11 @@ static void test_in_a_plane(void)
     size_t lost = 0;
     for (int axis = 0; axis < 3; axis++) {
         mesh m = mesh_room(9);
-        painter p;
-        failure f;
         for (size_t i = 0; i < 9; i++) {
             vec3 at = vwith(vec(0, 0, 0), axis, (real)i), x = vwith(at, (axis + 1) % 3, 1);
             set_triangle(&m, i, at, x, vwith(at, (axis + 2) % 3, 1));
         }
-        if (!painter_build(&m, painter_defaults, &p, &f)) fail(f);
+        painter p = made(&m, painter_defaults);
         check(p.pieces == 9 && p.nodes == 9, "nine planes");
         for (int k = 0; k < 9; k++) {
             uint32_t order[9 + 9], seen = 0;
@@ -323,20 +319,20 @@ static void test_odd_input(void)
 {
     mesh m = mesh_room(4);
     real nan = (real)NAN;
-    painter p;
     failure f;
     uint32_t order[4];
     set_triangle(&m, 0, (vec3){nan, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
     set_triangle(&m, 1, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
     set_triangle(&m, 2, (vec3){0, 0, 0}, (vec3){1, 1, 1}, (vec3){2, 2, 2});
     set_triangle(&m, 3, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
-    check(painter_build(&m, painter_defaults, &p, &f), "NaN, no area, the same twice");
+    painter p = made(&m, painter_defaults);  /* NaN, no area, the same twice */
     check_equal(p.pieces, 2, "two of four can be drawn");
     check_equal(p.nodes, 1, "in one plane");
     check_equal(painter_order(&p, (vec3){0, 0, 0}, order), 2, "an eye in the plane");
     painter_free(&p);
     m.triangles = 0;
-    check(painter_build(&m, painter_defaults, &p, &f) && p.pieces == 0, "nothing");
+    p = made(&m, painter_defaults);
+    check_equal(p.pieces, 0, "nothing");
     check_equal(painter_order(&p, (vec3){1, 2, 3}, order), 0, "no order of nothing");
     painter_free(&p), painter_free(&p);
     mesh_free(&m);

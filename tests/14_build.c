@@ -2,17 +2,38 @@
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them.
  * And trees that are kept while the mesh moves (refit.h). */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/lab/slivers.h"
 #include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/07_mesh/scenes/motion.h"
 #include "../chapters/09_aabb/trials/aimed.h"
 #include "../chapters/14_bvh/refit.h"
+#include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
 #include "wrong_ray.h"
 
-/* ---------------------------------------------------------------------------------------------- */
+static bvh_mesh made(const mesh *m, bvh_options how)
+{
+    bvh_mesh b;
+    if (!bvh_mesh_build(m, how, &b, NULL)) abort();
+    return b;
+}
+
+/* n triangles (狭长三角形), 4 long and 2 pi / n wide, round an axis at an odd angle, at distance 1:
+ * each fills next to nothing of its box. */
+static mesh slivers_mesh(size_t n, vec3 move)
+{
+    mesh m = mesh_room(n);
+    vec3 w = vunit(vec(1, 0.8, 0.6)), u, v;
+    vbasis(w, &u, &v);
+    for (size_t i = 0; i < n; i++) {
+        real a = 2 * pi * (real)i / (real)n, b = 2 * pi * (real)(i + 1) / (real)n;
+        m.v[3 * i] = vadd(move, vadd(vscale(u, cos(a)), vscale(v, sin(a))));
+        m.v[3 * i + 1] = vadd(move, vadd(vscale(u, cos(b)), vscale(v, sin(b))));
+        m.v[3 * i + 2] = vmadd(m.v[3 * i], w, 4);
+    }
+    return m;
+}
 
 /* Bit by bit, as (14.9) says. */
 static uint64_t code_by_definition(uint32_t x, uint32_t y, uint32_t z)
@@ -111,7 +132,6 @@ static void test_topology(void)
 {
     mesh m = teapot_mesh(12);
     vec3 lo, hi;
-    bvh_mesh b;
     bvh_item *item = allocate(m.triangles, sizeof *item);
     radix_code *pair = allocate(m.triangles, sizeof *pair);
     uint64_t *code = allocate(m.triangles, sizeof *code), all, any;
@@ -139,7 +159,7 @@ static void test_topology(void)
     }
     check_equal(off, 0, "the code of a triangle is the cell of its centre");
     for (int leaf = 1; leaf <= 8; leaf *= 8) {
-        check(bvh_mesh_build(&m, (bvh_options){"morton", leaf, 0.3, SIZE_MAX}, &b, NULL), "built");
+        bvh_mesh b = made(&m, (bvh_options){"morton", leaf, 0.3, SIZE_MAX});
         topology(&b, 0, code, &all, &any, &wrong);
         check_equal(wrong, 0, "leaves of %d: each node is cut where its codes first differ", leaf);
         check_at_least(b.tree.nodes, m.triangles / 8, "it is a tree");
@@ -153,9 +173,8 @@ static void test_topology(void)
 static void test_morton_leaves(void)
 {
     mesh m = teapot_mesh(8);
-    bvh_mesh one, more;
-    check(bvh_mesh_build(&m, (bvh_options){"morton", 1, 0.3, SIZE_MAX}, &one, NULL), "built");
-    check(bvh_mesh_build(&m, (bvh_options){"morton", 8, 0.3, SIZE_MAX}, &more, NULL), "built");
+    bvh_mesh one = made(&m, (bvh_options){"morton", 1, 0.3, SIZE_MAX});
+    bvh_mesh more = made(&m, (bvh_options){"morton", 8, 0.3, SIZE_MAX});
     tree_cost a = tree_cost_of(&one.tree), b = tree_cost_of(&more.tree);
     check_at_most(b.nodes + 0.3 * b.tests, a.nodes + 0.3 * a.tests,
                   "joining items into leaves never raises the cost");
@@ -183,9 +202,8 @@ static void find_point(finder *f, size_t at)
 
 static void test_cover(const char *name, const mesh *m, real size, bool cut)
 {
-    bvh_mesh b;
+    bvh_mesh b = made(m, (bvh_options){"spatial", 4, 0.3, SIZE_MAX});
     size_t lost = 0, points = check_count(40000);
-    check(bvh_mesh_build(m, (bvh_options){"spatial", 4, 0.3, SIZE_MAX}, &b, NULL), "built");
     check(!cut || b.tree.items > m->triangles + m->triangles / 4, "%s: %zu references to %zu", name,
           b.tree.items, m->triangles);
     check_at_most(b.tree.items, bvh_most_cuts * m->triangles, "%s: no more than there is room",
@@ -300,11 +318,10 @@ static void test_clip_rounding(void)
 static void test_worth(void)
 {
     mesh m = slivers_mesh(4000, (vec3){0, 0, 0}), pot = teapot_mesh(8);
-    bvh_mesh a, b;
+    const bvh_options spatial = {"spatial", 8, 0.3, SIZE_MAX};
+    bvh_mesh a = made(&m, bvh_defaults), b = made(&m, spatial);
     search_work wa = {0, 0, 0, 0}, wb = {0, 0, 0, 0};
     size_t differ = 0, hits = 0;
-    check(bvh_mesh_build(&m, bvh_defaults, &a, NULL), "built");
-    check(bvh_mesh_build(&m, (bvh_options){"spatial", 8, 0.3, SIZE_MAX}, &b, NULL), "built");
     for (size_t i = 0; i < check_count(2000); i++) {
         random_stream g = random_start(5, i, 0);
         vec3 o = random_in_cube(&g, 6);
@@ -319,7 +336,7 @@ static void test_worth(void)
     check_at_most((double)wb.tests, (double)wa.tests / 3, "a third of the tests");
     check_at_most((double)wb.nodes, (double)wa.nodes / 2, "and half of the nodes");
     bvh_mesh_free(&a), bvh_mesh_free(&b);
-    check(bvh_mesh_build(&pot, (bvh_options){"spatial", 8, 0.3, SIZE_MAX}, &b, NULL), "built");
+    b = made(&pot, spatial);
     check_at_most((double)b.tree.items, 1.1 * (double)pot.triangles, "the teapot's are left alone");
     bvh_mesh_free(&b);
     mesh_free(&m), mesh_free(&pot);
@@ -406,10 +423,8 @@ static void test_motion(motion kind, int fine)
 {
     const char *name = motion_name[kind];
     mesh rest = motion_mesh(kind, fine), m = motion_mesh(kind, fine);
-    bvh_mesh fitted, rotated, anew;
+    bvh_mesh fitted = made(&rest, bvh_defaults), rotated = made(&rest, bvh_defaults);
     size_t rotations = 0, dearer = 0;
-    check(bvh_mesh_build(&rest, bvh_defaults, &fitted, NULL)
-          && bvh_mesh_build(&rest, bvh_defaults, &rotated, NULL), "%s: built", name);
     double at_rest = cost_of(&fitted);
     check_equal(bvh_mesh_refit(&fitted, &rest, false), 0, "%s: nothing to rotate", name);
     check_equal(cost_of(&fitted), at_rest, "%s: at rest, refitting changes no box", name);
@@ -421,7 +436,7 @@ static void test_motion(motion kind, int fine)
         rotations += bvh_mesh_refit(&rotated, &m, true);
         dearer += !(cost_of(&rotated) <= before * (1 + 1e-12));  /* sums of other orders */
         if (frame % 20) continue;
-        check(bvh_mesh_build(&m, bvh_defaults, &anew, NULL), "%s: built anew", name);
+        bvh_mesh anew = made(&m, bvh_defaults);
         check_tree(&fitted, &m, "refitted"), check_tree(&rotated, &m, "rotated");
         check_hits(&fitted, &anew, &m, "refitted"), check_hits(&rotated, &anew, &m, "rotated");
         check(cost_of(&anew) < cost_of(&rotated) && cost_of(&rotated) < cost_of(&fitted),
@@ -451,8 +466,7 @@ static void test_one_rotation(void)
 {
     static const real before[3] = {0, 20, 24}, after[3] = {0, 2, 200};
     mesh a = line_of(before, 3), b = line_of(after, 3);
-    bvh_mesh t;
-    check(bvh_mesh_build(&a, bvh_leaves(1, 0.3), &t, NULL), "three triangles");
+    bvh_mesh t = made(&a, bvh_leaves(1, 0.3));
     bvh_mesh_refit(&t, &b, false);
     /* The pair of 20 and 24 is now 2 to 201, 199 by 1: half a surface of 199. With the third
      * instead it is 0 to 3: 3. The root's is 201. */
@@ -470,12 +484,10 @@ static void test_depth(void)
 {
     enum { n = 300 };
     real place[n];
-    mesh m;
-    bvh_mesh t;
     size_t rotations = 0;
     for (int i = 0; i < n; i++) place[i] = ldexp((real)1, i % 100);
-    m = line_of(place, n);
-    check(bvh_mesh_build(&m, (bvh_options){"longest", 1, 0.01, SIZE_MAX}, &t, NULL), "built");
+    mesh m = line_of(place, n);
+    bvh_mesh t = made(&m, (bvh_options){"longest", 1, 0.01, SIZE_MAX});
     check_at_least(t.tree.depth, 60, "deep");
     for (uint64_t frame = 0; frame < 200; frame++) {
         for (size_t i = 0; i < n; i++) {
@@ -496,17 +508,16 @@ static void test_odd(void)
 {
     mesh m = teapot_mesh(2), none = {.triangles = 0};
     vec3 was = m.v[7];
-    bvh_mesh t, anew;
-    check(bvh_mesh_build(&none, bvh_defaults, &t, NULL), "an empty tree");
+    bvh_mesh t = made(&none, bvh_defaults);
     check_equal(bvh_mesh_refit(&t, &none, true), 0, "stays empty");
     bvh_mesh_free(&t);
-    check(bvh_mesh_build(&m, bvh_leaves(1, 0.01), &t, NULL), "built");
+    t = made(&m, bvh_leaves(1, 0.01));
     for (int round = 0; round < 4; round++) {
         if (round % 2) m.v[7] = was;
         else m.v[7].x = round ? real_infinity : (real)NAN;
         for (int k = 0; k < 2; k++) {
             bvh_mesh_refit(&t, &m, k);
-            check(bvh_mesh_build(&m, bvh_defaults, &anew, NULL), "built anew");
+            bvh_mesh anew = made(&m, bvh_defaults);
             check_hits(&t, &anew, &m, round % 2 ? "whole again" : "a corner that is no number");
             check(memcmp(t.tree.node->low, anew.tree.node->low, sizeof(float[3])) == 0
                       && memcmp(t.tree.node->minus_high, anew.tree.node->minus_high,
@@ -525,12 +536,11 @@ static void test_spatial(void)
 {
     mesh rest = teapot_mesh(4), m = teapot_mesh(4);
     bvh_options how = bvh_defaults;
-    bvh_mesh t, anew;
     how.rule = "spatial";
-    check(bvh_mesh_build(&rest, how, &t, NULL), "built");
+    bvh_mesh t = made(&rest, how);
     motion_frame(MOTION_TWIST, &rest, 0.25, &m);
     bvh_mesh_refit(&t, &m, true);
-    check(bvh_mesh_build(&m, how, &anew, NULL), "built anew");
+    bvh_mesh anew = made(&m, how);
     check_hits(&t, &anew, &m, "spatial");
     bvh_mesh_free(&t), bvh_mesh_free(&anew);
     mesh_free(&rest), mesh_free(&m);

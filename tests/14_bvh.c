@@ -178,10 +178,8 @@ static void test_random_rays_show_nothing(void)
     size_t rays = check_count(150000), hits = 0, differ = 0;
     check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     for (size_t i = 0; i < rays; i++) {
-        random_stream g = random_start(10, i, 0);
+        ray r = structure_across(10, i, 8, 2);
         hit x = hit_none, y = hit_none;
-        vec3 o = random_in_cube(&g, 8);
-        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
         bool gx = bvh_mesh_hit(&b, r, &x), gy = bvh_mesh_hit_naive(&b, r, &y);
         hits += gx, differ += !same(gx, x, gy, y);
     }
@@ -200,9 +198,7 @@ static void test_order_in_counts(void)
     search_work near = {0, 0, 0, 0}, stored = near;
     check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     for (size_t i = 0; i < check_count(8000); i++) {
-        random_stream g = random_start(71, i, 0);
-        vec3 o = random_in_cube(&g, 3);
-        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
+        ray r = structure_across(71, i, 3, 1);
         hit h;
         bvh_mesh_hit_counted(&b, r, &h, &near);
         tree_search_by(&b.tree, r, box_ray_of, bvh_mesh_leaf, &b, false, false, &h, &stored);

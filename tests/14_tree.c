@@ -22,6 +22,13 @@ static bvh_options by_rule(int k, int leaf, double item_cost)
     return (bvh_options){bvh_rules[k].name, leaf, item_cost, SIZE_MAX};
 }
 
+static bvh_mesh made(const mesh *m, bvh_options how)
+{
+    bvh_mesh b;
+    if (!bvh_mesh_build(m, how, &b, NULL)) abort();
+    return b;
+}
+
 /* Triangles of size 1/10 in a cube of half side 1. */
 static mesh soup(size_t n) { return soup_mesh(n, 1, (real)0.1, 11); }
 
@@ -188,10 +195,8 @@ static void test_invariants(const char *name, const mesh *m)
     static const int leaves[] = {1, 8, 255};
     for (int s = 0; s < bvh_rule_count; s++)
         for (int l = 0; l < 3; l++) {
-            bvh_mesh b, again;
             bvh_options how = by_rule(s, leaves[l], 1);
-            check(bvh_mesh_build(m, how, &b, NULL), "built");
-            check(bvh_mesh_build(m, how, &again, NULL), "built");
+            bvh_mesh b = made(m, how), again = made(m, how);
             size_t n = b.tree.nodes, missed = 0, unused = 0;
             inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0,
                             bvh_rules[s].through};
@@ -244,8 +249,7 @@ static void test_depth(void)
     for (int i = 0; i < 2; i++) {
         int deepest = 0;
         for (int s = 0; s < bvh_rule_count; s++) {
-            bvh_mesh b;
-            check(bvh_mesh_build(&input[i], by_rule(s, 1, 0.01), &b, NULL), "built");
+            bvh_mesh b = made(&input[i], by_rule(s, 1, 0.01));
             check_at_most(b.tree.depth, bvh_most_depth, "powers of two, %s", bvh_rules[s].name);
             deepest = b.tree.depth > deepest ? b.tree.depth : deepest;
             bvh_mesh_free(&b);
@@ -306,9 +310,8 @@ static void test_memory(void)
 {
     size_t n = check_count(400000);
     mesh m = soup(n);
-    bvh_mesh b, no;
+    bvh_mesh b = made(&m, bvh_defaults), no;
     failure f;
-    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     structure_stats s = tree_stats(&b.tree);
     check_at_most((double)s.peak / (double)n, 172, "peak bytes a triangle of %zu", n);
     check_at_least((double)s.peak, (double)(n * (sizeof(bvh_item) + sizeof *b.triangle)),
@@ -321,7 +324,7 @@ static void test_memory(void)
     m.triangles = n = 1000;
     for (int k = 0; k < bvh_rule_count; k++) {  /* each limit: built within it, or refused */
         bvh_options how = by_rule(k, 2, 0.3);
-        check(bvh_mesh_build(&m, how, &b, NULL), "built");
+        b = made(&m, how);
         size_t peak = b.tree.held.peak, over = 0, wrong = 0;
         bvh_mesh_free(&b);
         for (how.most_bytes = 1; how.most_bytes < 2 * peak; how.most_bytes += peak / 41) {
@@ -377,8 +380,7 @@ static void test_heuristic(void)
     mesh m = soup(2000);
     double cost[bvh_rule_count];
     for (int s = 0; s < bvh_rule_count; s++) {
-        bvh_mesh b;
-        check(bvh_mesh_build(&m, by_rule(s, 4, 1), &b, NULL), "built");
+        bvh_mesh b = made(&m, by_rule(s, 4, 1));
         tree_cost st = tree_cost_of(&b.tree);
         size_t n = check_count(40000);
         const bvh_node *c = b.tree.node;
@@ -432,14 +434,13 @@ static void test_four_cubes(void)
     static const real at[4] = {0, 6, 11, 11};
     mesh m = mesh_room(4);
     bvh_item item[4];
-    bvh_mesh b;
     for (size_t i = 0; i < 4; i++) {
         m.v[3 * i] = vec(at[i], 0, 0), m.v[3 * i + 1] = vec(at[i] + 1, 1, 0);
         m.v[3 * i + 2] = vec(at[i], 0, 1);
         (void)triangle_item(&m, i, &item[i]);
     }
     check_close(greed_best(item, 4), 1 + 16 / 25.0, 1e-6, "four cubes, the best tree");
-    check(bvh_mesh_build(&m, by_rule(rule_number("sah"), 1, 0.3), &b, NULL), "built");
+    bvh_mesh b = made(&m, by_rule(rule_number("sah"), 1, 0.3));
     check_close(tree_cost_of(&b.tree).nodes, 1 + 18 / 25.0, 1e-6, "four cubes, the greedy tree");
     bvh_mesh_free(&b), mesh_free(&m);
 }
@@ -457,9 +458,8 @@ static void test_greed(void)
                     "the best of the 945 trees of six triangles");
         double least = greed_best(item, greed_items);
         for (int k = 0; k < bvh_rule_count; k++) {
-            bvh_mesh b;
             if (bvh_rules[k].through) continue;
-            check(bvh_mesh_build(&m, by_rule(k, 1, 0.3), &b, NULL), "built");
+            bvh_mesh b = made(&m, by_rule(k, 1, 0.3));
             check_at_least(tree_cost_of(&b.tree).nodes, least * (1 - 1e-12),
                            "%s: not better than the best", bvh_rules[k].name);
             bvh_mesh_free(&b);
@@ -481,8 +481,6 @@ static void test_shared_area(void)
     check_equal(box_shared_area(&a, &e), 4, "a side is shared: half the surface of a flat box");
 }
 
-/* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut
- * between the groups, and cost and areas follow by hand. */
 /* The farthest corner, along its longest axis; o on any side of the box, or within. */
 static void test_reach(void)
 {
@@ -506,6 +504,7 @@ static void test_reach(void)
     check_equal(wrong, 0, "how far a box reaches, of %zu", n);
 }
 
+/* Two groups of four, far apart: every rule must cut between them, and the cost follows by hand. */
 static void test_closed_form(void)
 {
     mesh m = mesh_room(8);
@@ -515,8 +514,7 @@ static void test_closed_form(void)
         m.v[3 * i + 2] = (vec3){x, 1, z};
     }
     for (int s = 0; s < bvh_rule_count; s++) {
-        bvh_mesh b;
-        check(bvh_mesh_build(&m, by_rule(s, 4, 0.01), &b, NULL), "built");
+        bvh_mesh b = made(&m, by_rule(s, 4, 0.01));
         check_equal(b.tree.nodes, 4, "two leaves of four, %s", bvh_rules[s].name);
         check(b.tree.node[2].count == 4 && b.tree.node[3].count == 4, "four and four");
         tree_cost st = tree_cost_of(&b.tree);

@@ -210,12 +210,12 @@ static void invariants_of(const char *what, mesh m)
 {
     items x = items_of_mesh(&m);
     failure f;
-    bvh8 w, again;
+    bvh8 again;
     bvh8_options how = bvh8_defaults;
     how.threads = 1;
+    bvh8 w = bvh8_made(&x, how);
     size_t *seen = allocate(m.triangles, sizeof *seen), outside = 0, wrong = 0, held = 0;
     const float all[6] = {-INFINITY, -INFINITY, -INFINITY, INFINITY, INFINITY, INFINITY};
-    check(bvh8_build(&x, how, &w, &f), "%s: built", what);
     count_items(&w, 0, all, seen, &outside);
     for (size_t i = 0; i < m.triangles; i++) {
         triangle t = mesh_triangle(&m, i);
@@ -288,10 +288,9 @@ static void test_split(void)
     shape one = shape_of_sphere((sphere){{0, 0, 0}, 1});
     scene world = {&one, 1};
     items x = items_of_scene(&world);
-    bvh8 w;
+    bvh8 w = bvh8_made(&x, bvh8_defaults);
     hit h;
-    check(bvh8_build(&x, bvh8_defaults, &w, NULL) && bvh8_hit(&w, ray_from(vec(0, 0, -3),
-          vec(0, 0, 1)), &h) && h.t == 2, "one shape alone");
+    check(bvh8_hit(&w, ray_from(vec(0, 0, -3), vec(0, 0, 1)), &h) && h.t == 2, "one shape alone");
     bvh8_free(&w);
 }
 
@@ -301,7 +300,6 @@ static void test_sizes(void)
 {
     mesh m = mesh_room(200);
     size_t mixed = 0;
-    bvh8 w;
     for (size_t i = 0; i < m.triangles; i++) {
         random_stream g = random_start(15, i, 0);
         vec3 at = random_in_cube(&g, (real)0.5), out = {0, 0, 0};
@@ -317,7 +315,7 @@ static void test_sizes(void)
         set_triangle(&m, i, vsub(vadd(out, s), t), vadd(vadd(out, s), t), vadd(vsub(out, s), t));
     }
     items x = items_of_mesh(&m);
-    check(bvh8_build(&x, bvh8_defaults, &w, NULL), "built");
+    bvh8 w = bvh8_made(&x, bvh8_defaults);
     for (size_t i = 0; i < w.blocks; i++) {
         bool large = false, small = false;
         for (int k = 0; k < 8; k++)
@@ -336,14 +334,13 @@ static void test_depth(void)
     how.width = 2, how.leaf = 1;
     for (int sign = -1; sign < 2; sign += 2) {
         mesh m = mesh_room(360);
-        bvh8 w;
         for (size_t i = 0; i < m.triangles; i++) {
             real x = (real)sign * ldexp((real)1, 29 - (int)(i / 3));
             vec3 a = {i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0};
             set_triangle(&m, i, a, vadd(a, vec(x / 64, 0, 0)), vadd(a, vec(0, x / 64, x / 64)));
         }
         items x = items_of_mesh(&m);
-        check(bvh8_build(&x, how, &w, NULL), "built");
+        bvh8 w = bvh8_made(&x, how);
         check_at_most(w.depth, bvh_most_depth, "powers of two: depth");
         check_at_least(w.depth, 50, "and as bad as they are meant to be");
         bvh8_free(&w), mesh_free(&m);
@@ -372,14 +369,11 @@ static void test_cost(void)
 {
     mesh m = teapot_mesh(8);
     items x = items_of_mesh(&m);
-    bvh8 w;
+    bvh8 w = bvh8_made(&x, bvh8_defaults);
     search_work missed = {0, 0, 0, 0}, whole = missed, ended = missed;
     size_t met = 0, hits = 0, asked_any = 0, before = bvh8_asked;
-    check(bvh8_build(&x, bvh8_defaults, &w, NULL), "built");
     for (size_t i = 0; i < check_count(8000); i++) {
-        random_stream g = random_start(47, i, 0);
-        vec3 o = random_in_cube(&g, 6);
-        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
+        ray r = structure_across(47, i, 6, 2);
         search_work work = {0, 0, 0, 0};
         hit h;
         if (!bvh8_hit_counted(&w, r, &h, &work)) {
@@ -406,10 +400,8 @@ static void test_leaks(void)
 {
     mesh m = octahedron_mesh(16);
     items x = items_of_mesh(&m);
-    failure f;
-    bvh8 w;
+    bvh8 w = bvh8_made(&x, bvh8_defaults);
     size_t lost = 0, rays = check_count(20000), far = 0, wrong = 0, lost_any = 0, odd = 0;
-    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(41, i, 0);
         vec3 o = vscale(random_in_cube(&g, 1), 4);
@@ -441,11 +433,8 @@ static void test_streams(void)
 {
     mesh m = octahedron_mesh(16), none = {0};
     items x = items_of_mesh(&m), nothing = items_of_mesh(&none);
-    failure f;
-    bvh8 w, empty;
+    bvh8 w = bvh8_made(&x, bvh8_defaults), empty = bvh8_made(&nothing, bvh8_defaults);
     size_t wrong = 0, rays = check_count(4000), hits = 0, any = 0;
-    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
-    check(bvh8_build(&nothing, bvh8_defaults, &empty, &f), "built of nothing");
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(42, i, 0);
         ray r[stream_rays];
@@ -480,14 +469,12 @@ static void test_streams(void)
 static void test_far(void)
 {
     mesh m = mesh_room(3);
-    failure f;
-    bvh8 w;
     for (size_t i = 0; i < m.triangles; i++) {
         real z = (real)i / 4;
         set_triangle(&m, i, (vec3){-1, -1, z}, (vec3){1, -1, z}, (vec3){0, 1, z});
     }
     items x = items_of_mesh(&m);
-    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
+    bvh8 w = bvh8_made(&x, bvh8_defaults);
     size_t rays = check_count(800), met = 0, asked = 0, asked_any = 0;
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(43, i, 0);
@@ -521,10 +508,9 @@ static void test_wild(void)
     items x = items_of_mesh(&m);
     size_t rays = check_count(40000), wrong[eight_dialects] = {0}, hits = 0;
     for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++) {
-        bvh8 w;
         bvh8_options how = bvh8_defaults;
         how.dialect = (eight_dialect)d;
-        check(bvh8_build(&x, how, &w, NULL), "built");
+        bvh8 w = bvh8_made(&x, how);
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(45, i, 0);
             real o[3], to[3];
@@ -564,11 +550,10 @@ static void test_left_out(void)
     scene s = {in_row, 3};
     ray r = ray_from((vec3){0, 0, -1}, (vec3){0, 0, 1});
     for (int d = 2 * EIGHT_PLAIN; d <= 2 * (int)eight_best() + 1; d++) {
-        bvh8 w;
         items x = d % 2 ? items_of_scene(&s) : items_of_mesh(&m);
         bvh8_options how = bvh8_defaults;
         how.dialect = (eight_dialect)(d / 2);
-        check(bvh8_build(&x, how, &w, NULL), "built");
+        bvh8 w = bvh8_made(&x, how);
         for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
             hit h = hit_none;
             bool met = bvh8_ask(&w, r, list[i].but, &h, NULL);
@@ -599,28 +584,6 @@ static void test_options(void)
     mesh_free(&m);
 }
 
-/* With a byte less than it says it took, or with less than that, there is no tree, but a reason. */
-static void test_room(void)
-{
-    mesh m = octahedron_mesh(16);
-    items x = items_of_mesh(&m);
-    bvh8_options how = bvh8_defaults;
-    bvh8 w;
-    check(bvh8_build(&x, how, &w, NULL), "built");
-    size_t peak = bvh8_stats(&w).peak, built = 0, odd = 0;
-    bvh8_free(&w);
-    for (how.most_bytes = 0; how.most_bytes < peak; how.most_bytes += peak / 50) {
-        failure f = {0};
-        built += bvh8_build(&x, how, &w, &f), odd += f.exit_code != 1 || w.node || w.block;
-        bvh8_free(&w);
-    }
-    how.most_bytes = peak - 1;
-    built += bvh8_build(&x, how, &w, NULL), how.most_bytes++;
-    check_equal(built + odd, 0, "with less than the peak: refused, and why");
-    check(bvh8_build(&x, how, &w, NULL), "with the peak: built");
-    bvh8_free(&w), mesh_free(&m);
-}
-
 /* Half a tree is none, whichever step Ctrl-C meets: 1, boxes; 2, binary tree; 3, blocks; 4, after
  * all of them. */
 static void test_interrupted(void)
@@ -647,7 +610,7 @@ static void test_interrupted(void)
 int main(void)
 {
     test_options();
-    test_room();
+    structure_limited(bvh8, bvh8_defaults, octahedron_mesh(16), 1);
     test_interrupted();
     test_structures();
     test_corners();

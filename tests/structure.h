@@ -7,7 +7,10 @@
  *   structure_brief(&s, rays);      of other options: what is hardest of it, some 20 checks
  *   structure_attack(&s, what, &x, rays, seed, next, context);      next makes the i-th ray
  *
+ *   octree t = octree_made(&x, how);                     built, or the program ends
  *   structure_piled(octree, octree_defaults, 400, most);      triangles upon triangles: see below
+ *   structure_ends(octree, octree_defaults, rays);            a search ends with its hit
+ *   structure_limited(octree, octree_defaults, mesh, code);   no byte less than the peak suffices
  *
  * build returns what hit and occluded take, or NULL with the failure filled in. Where there are
  * counting searches, one ray of four asks them, too.
@@ -42,6 +45,13 @@ typedef ray structure_ray_of(const items *x, random_stream *g, size_t i, const v
         if (X##_build(x, how, s, f)) return s;                                                   \
         free(s);                                                                                 \
         return NULL;                                                                             \
+    }                                                                                            \
+    static inline X X##_made(const items *x, X##_options rules)                                  \
+    {                                                                                            \
+        X s;                                                                                     \
+        failure f;                                                                               \
+        if (!X##_build(x, rules, &s, &f)) fail(f);                                               \
+        return s;                                                                                \
     }                                                                                            \
     static bool X##_finds(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }         \
     static bool X##_any(const void *s, ray r) { return X##_occluded(s, r); }                     \
@@ -385,6 +395,55 @@ static inline size_t structure_corners(size_t all)
         }                                                                                        \
         check_equal(wrong, 0, #X " of a fan");                                                   \
         X##_free(&built), mesh_free(&fan);                                                       \
+    } while (0)
+
+/* From anywhere within the cube of half a side `far` through the one of `near`. */
+static inline ray structure_across(uint64_t seed, size_t i, real far, real near)
+{
+    random_stream g = random_start(seed, i, 0);
+    vec3 o = random_in_cube(&g, far);
+    return ray_from(o, vsub(random_in_cube(&g, near), o));
+}
+
+/* As many steps as for the same ray that ends at its hit from the start. */
+#define structure_ends(X, options, rays)                                                         \
+    do {                                                                                         \
+        mesh torus = torus_mesh(24);                                                             \
+        items x = items_of_mesh(&torus);                                                         \
+        X built = X##_made(&x, options);                                                         \
+        search_work whole = {0, 0, 0, 0}, ended = whole;                                         \
+        for (size_t i = 0; i < (rays); i++) {                                                    \
+            ray r = structure_across(15, i, 3, 1);                                               \
+            hit h;                                                                               \
+            if (X##_hit_counted(&built, r, &h, &whole)) r.tmax = h.t;                            \
+            X##_hit_counted(&built, r, &h, &ended);                                              \
+        }                                                                                        \
+        check_equal(whole.nodes, ended.nodes, #X ": steps, and of rays that end at their hits"); \
+        X##_free(&built), mesh_free(&torus);                                                     \
+    } while (0)
+
+/* With fewer bytes than the peak that it tells there is no structure, but a reason. Takes m. */
+#define structure_limited(X, options, m, code)                                                   \
+    do {                                                                                         \
+        mesh all = m;                                                                            \
+        items x = items_of_mesh(&all);                                                           \
+        X##_options rules = options;                                                             \
+        X built = X##_made(&x, rules);                                                           \
+        const size_t peak = X##_stats(&built).peak;                                              \
+        size_t taken = 0, odd = 0;                                                               \
+        X##_free(&built);                                                                        \
+        const size_t none = X##_stats(&built).bytes;                                             \
+        for (size_t k = 0; k <= 50; k++) {                                                       \
+            failure f = {0, ""};                                                                 \
+            rules.most_bytes = k < 50 ? peak / 50 * k : peak - 1;                                \
+            taken += X##_build(&x, rules, &built, &f);                                           \
+            odd += f.exit_code != (code) || X##_stats(&built).bytes != none;                     \
+            X##_free(&built);                                                                    \
+        }                                                                                        \
+        check_equal(taken + odd, 0, #X ": with less than its peak refused, and nothing left");   \
+        rules.most_bytes = peak;                                                                 \
+        check(X##_build(&x, rules, &built, NULL), #X ": fits into its peak of %zu", peak);       \
+        X##_free(&built), mesh_free(&all);                                                       \
     } while (0)
 
 /* Corners in dyadic planes and beside them; far out; edge-on; ties; no numbers; round shapes. */

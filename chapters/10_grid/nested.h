@@ -53,7 +53,7 @@ static inline void nested_free(nested *x)
 {
     grid_free(&x->g);
     free(x->part_of), free(x->part);
-    x->part_of = NULL, x->part = NULL;
+    *x = (nested){.parts = 0};
 }
 
 fast_inline lattice nested_lattice(const nested_part *p)

@@ -31,8 +31,7 @@ static void measure(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh_trial, &how);
     table_of_rules(o, &s);
-    if (o->full)
-        table_of_orders(o, &s), table_of_greed(o), table_of_slivers(o), plot_of_pareto(o, &s);
+    if (o->full) table_of_orders(o, &s), table_of_greed(o), plot_of_pareto(o, &s);
     trial_scene_free(&s);
 }
 

@@ -3,7 +3,6 @@
  *   table_of_rules(o, &s)         time, memory, work, wrong hits: the main table. A rule of
  *                                 bvh_rules is a row of it, and of most of the others
  *   table_of_orders(o, &s)        the nearer child first, or always the first; the closest, or any
- *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
  *   plot_of_pareto(o, &s)         each rule a curve, leaf sizes 16, 8, 4, 2 its points
  */
 #ifndef BVH_MEASURE_H
@@ -16,7 +15,6 @@
 #include "../first.h"
 #include "cost.h"
 #include "greed.h"
-#include "slivers.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -116,34 +114,6 @@ static inline void table_of_orders(const options *o, const trial_scene *s)
     }
     output_extra_table(o, &out);
     trial_end(row, 4);
-}
-
-static inline void table_of_slivers(const options *o)
-{
-    trial_row row[bvh_rule_count];
-    trial_scene s;
-    table out = table_new(
-        "4000 slivers round an axis at an odd angle: primary rays",
-        "rule|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
-    trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
-    s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
-    int n = rows_of_rules(row, true);
-    n += rows_of_rules(row + n, false);
-    trials_run(row, n, &s, 5);
-    for (int i = 0; i < n; i++) {
-        const bvh_tree *t = bvh_tree_of(row[i].built);
-        tree_cost st = tree_cost_of(t);
-        search_work w = row[i].ray[TRIAL_PRIMARY].work;
-        size_t rays = row[i].ray[TRIAL_PRIMARY].n;
-        table_text(&out, "%s", row[i].name), table_number(&out, row[i].build * 1e3);
-        table_number(&out, trial_per((double)t->items, s.m.triangles));
-        table_number(&out, trial_per((double)w.nodes, rays));
-        table_number(&out, trial_per((double)w.tests, rays));
-        table_number(&out, trial_ns(&row[i], TRIAL_PRIMARY));
-        table_number(&out, st.nodes), table_number(&out, st.tests);
-    }
-    output_extra_table(o, &out);
-    trial_end(row, n), trial_scene_free(&s);
 }
 
 cold_inline void plot_of_pareto(const options *o, const trial_scene *s)

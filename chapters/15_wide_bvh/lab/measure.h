@@ -99,8 +99,7 @@ static inline void table_of_shadows(const options *o, const trial_scene *s)
 {
     static const struct { const char *name; shadow_ask *ask; } list[] = {
         {"14: two wide", NULL}, {"the closest hit", shadow_closest},
-        {"any, boxes in any order", bvh8_any_order}, {"any, nearest box first", bvh8_any_boxes},
-        {"any, + eight triangles", bvh8_occluded}, {"leaky", bvh8_occluded_leaky}};
+        {"any hit", bvh8_occluded}, {"leaky", bvh8_occluded_leaky}};
     enum { n = sizeof list / sizeof *list };
     bvh8 w;
     bvh b;

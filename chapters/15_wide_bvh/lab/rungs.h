@@ -4,7 +4,6 @@
  *   bool bvh8_hit_one(&w, r, &h)        box after box, triangle after triangle
  *   bool bvh8_hit_any_order(&w, r, &h)  eight boxes at once; children in the order of the node
  *   bool bvh8_hit_boxes(&w, r, &h)      the nearest child first
- *   bool bvh8_any_order(&w, r), bvh8_any_boxes(&w, r)       the last two, for "is there any?"
  */
 #ifndef WIDE_RUNGS_H
 #define WIDE_RUNGS_H
@@ -37,21 +36,9 @@ static inline eight_set rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool a
     return mask;
 }
 
-/* The triangles of a block one by one, in `real`. */
-static inline bool rung_block(const bvh8 *w, const bvh8_block *b, query *q, bool any)
-{
-    bool found = false;
-    for (int k = 0; k < 8 && b->index[k] != no_shape; k++)
-        if (query_ask(q, &w->x, b->index[k], any)) {
-            if (any) return true;
-            found = true;
-        }
-    return found;
-}
-
 typedef struct { uint32_t child; float enter; } rung_waiting;
 
-fast_inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest, bool any)
+fast_inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest)
 {
     rung_waiting stack[bvh8_stack];
     int top = 1;
@@ -65,7 +52,9 @@ fast_inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool ne
         rung_waiting now = stack[--top];
         if (now.enter > q.limit) continue;
         if (now.child & bvh8_leaf) {
-            if (rung_block(w, &w->block[now.child & ~bvh8_leaf], &ask, any) && any) return true;
+            const bvh8_block *b = &w->block[now.child & ~bvh8_leaf];
+            for (int k = 0; k < 8 && b->index[k] != no_shape; k++)  /* one by one, in `real` */
+                query_ask(&ask, &w->x, b->index[k], false);
             q.limit = bvh8_limit(&q, ask.r.tmax);
             continue;
         }
@@ -78,32 +67,22 @@ fast_inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool ne
             stack[j] = (rung_waiting){n->child[k], enter[k]};
         }
     }
-    return !any && query_answer(&ask, out);
+    return query_answer(&ask, out);
 }
 
 static inline bool bvh8_hit_one(const bvh8 *w, ray r, hit *out)
 {
-    return rung_walk(w, r, out, false, true, false);
+    return rung_walk(w, r, out, false, true);
 }
 
 static inline bool bvh8_hit_any_order(const bvh8 *w, ray r, hit *out)
 {
-    return rung_walk(w, r, out, true, false, false);
+    return rung_walk(w, r, out, true, false);
 }
 
 static inline bool bvh8_hit_boxes(const bvh8 *w, ray r, hit *out)
 {
-    return rung_walk(w, r, out, true, true, false);
-}
-
-static inline bool bvh8_any_order(const bvh8 *w, ray r)
-{
-    return rung_walk(w, r, NULL, true, false, true);
-}
-
-static inline bool bvh8_any_boxes(const bvh8 *w, ray r)
-{
-    return rung_walk(w, r, NULL, true, true, true);
+    return rung_walk(w, r, out, true, true);
 }
 
 #endif
