@@ -6,6 +6,7 @@
 #include "../common/numbers/wide.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/19_whitted/scenes/forty.h"
+#include "../chapters/19_whitted/lab/ray_tree.h"
 #include "../chapters/19_whitted/lab/tank.h"
 #include "../chapters/19_whitted/lab/two_spheres.h"
 #include "../chapters/19_whitted/lab/whitted_loop.h"
@@ -22,40 +23,21 @@ static void stage_square(stage *s, vec3 c, real h, bool up, whitted_material m)
 }
 
 /* The rays themselves, to look at. */
-typedef struct {
-    whitted_log log;
-    struct { ray_kind kind; int from, depth; ray r; real t; vec3 weight; } ray[512];
-    int n;
-} rays_seen;
-
-static int rays_seen_add(whitted_log *log, ray_kind kind, int from, int depth, ray r, real t,
-                         vec3 weight, real lit)
-{
-    rays_seen *x = (rays_seen *)log;
-    (void)lit;
-    if (x->n == 512) return 511;
-    x->ray[x->n].kind = kind, x->ray[x->n].from = from, x->ray[x->n].depth = depth;
-    x->ray[x->n].r = r, x->ray[x->n].t = t, x->ray[x->n].weight = weight;
-    return x->n++;
-}
-
-static vec3 looked(tracer *t, ray r, media_set in, rays_seen *x)
+static void looked(tracer *t, ray r, ray_tree *x)
 {
     const whitted *w = t->user;
     whitted watched = *w;
-    *x = (rays_seen){.log = {rays_seen_add}};
-    watched.log = &x->log, t->user = &watched;
-    vec3 c = whitted_ray(t, r, in);
+    watched.log = ray_tree_begin(x), t->user = &watched;
+    whitted_ray(t, r, (media_set){0});
     t->user = w;
-    return c;
 }
 
 /* The ray that goes on straight through: the refractions, one after another. */
-static int passed(const rays_seen *x, int refractions)
+static int passed(const ray_tree *x, int refractions)
 {
     int k = 0;
     for (int i = 1; i < x->n && refractions > 0; i++)
-        if (x->ray[i].from == k && x->ray[i].kind == RAY_REFRACTION) k = i, refractions--;
+        if (x->node[i].from == k && x->node[i].kind == RAY_REFRACTION) k = i, refractions--;
     return refractions ? -1 : k;
 }
 
@@ -114,7 +96,7 @@ static void test_ball(void)
     for (size_t i = 0; i < n; i++) {
         random_stream q = random_start(7, i, 0);
         stage s = {0};
-        rays_seen x;
+        ray_tree x;
         double e = floor(7 * (double)random_next(&q)) - 3;  /* place 0 .. 1e3 R, size 1e-3 .. 1e3 */
         real R = (real)pow(10, e), far = R * (real)(i % 3 == 0 ? 0 : i % 3 == 1 ? 10 : 1000);
         sphere b = {{far, -far, far}, R};
@@ -126,19 +108,19 @@ static void test_ball(void)
         ray r = ray_between(vmadd(b.c, vunit(from), 4 * R), vmadd(b.c, at, R));
         r.tmax = real_infinity;
         wide_ray exact = wide_through_ball(b, r, s.media[1].ior);
-        looked(&t, r, (media_set){0}, &x);
+        looked(&t, r, &x);
         int last = passed(&x, 2), in = passed(&x, 1);
         stage_end(&s);
         if (last < 0) continue;
         seen++;
         /* o: error bound of surface.h, R eps (4 + 2 |p|/R), and entry's share, bent twice */
         double unit = (double)((R + far) * real_epsilon);
-        place = check_worse(place, wide_off(exact.o, x.ray[last].r.o) / unit);
-        double near = (double)(R / (R + far)), chord = (double)x.ray[in].t;
+        place = check_worse(place, wide_off(exact.o, x.node[last].r.o) / unit);
+        double near = (double)(R / (R + far)), chord = (double)x.node[in].t;
         double T = wide_value(exact.weight);
-        direction = check_worse(direction, wide_off(exact.d, x.ray[last].r.d) * near);
-        weight = check_worse(weight, fabs((double)x.ray[last].weight.z - T) * near);
-        double left = (double)x.ray[last].weight.x / T;
+        direction = check_worse(direction, wide_off(exact.d, x.node[last].r.d) * near);
+        weight = check_worse(weight, fabs((double)x.node[last].weight.z - T) * near);
+        double left = (double)x.node[last].weight.x / T;
         beer = check_worse(beer, fabs(left - exp(-chord / (double)R)) * near);
     }
     check_at_least(seen, n * 9 / 10, "rays through the ball");
@@ -331,7 +313,7 @@ static void test_touching(void)
             real T = e ? pow((real)10, (real)e) : 0;
             for (int apart = 0; apart < 2; apart++) {
                 stage s = {0};
-                rays_seen x;
+                ray_tree x;
                 for (int i = 0; i < 6; i++) {
                     int f = order[o][i];
                     stage_square(&s, (vec3){T, T, T + (real)face[f].z}, 2, face[f].up,
@@ -341,10 +323,10 @@ static void test_touching(void)
                 s.w.apart = apart;
                 tracer t = stage_begin(&s, 8);
                 vec3 eye = {T + (real)0.5, T + (real)0.25, T + 5};
-                looked(&t, ray_from(eye, (vec3){0, 0, -1}), (media_set){0}, &x);
+                looked(&t, ray_from(eye, (vec3){0, 0, -1}), &x);
                 int last = passed(&x, 4);
-                double got = last < 0 ? 0 : (double)x.ray[last].weight.x;
-                bool out = last > 0 && !(x.ray[last].t < real_infinity);
+                double got = last < 0 ? 0 : (double)x.node[last].weight.x;
+                bool out = last > 0 && !(x.node[last].t < real_infinity);
                 if (apart) naive = fmax(naive, fabs(got - expected));
                 else {
                     worst = check_worse(worst, fabs(got - expected));
@@ -374,7 +356,7 @@ static void test_nested(void)
         for (int e = 0; e <= 4; e += 2) {
             real T = e ? pow((real)10, (real)e) : 0;
             stage s = {0};
-            rays_seen x;
+            ray_tree x;
             s.media[1].ior = (real)g, s.media[2].ior = (real)w, s.media[3].ior = (real)v;
             for (uint32_t j = 0; j < 3; j++) {
                 vec3 c = {T, T, T + (real)make[k].ball[j][0]};
@@ -382,7 +364,7 @@ static void test_nested(void)
                           whitted_clear(j + 1, 1));
             }
             tracer t = stage_begin(&s, 9);
-            looked(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), (media_set){0}, &x);
+            looked(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), &x);
             double ag = kept(a, g), gw = kept(g, w), wv = kept(w, v);
             double T1 = ag * gw * wv * wv * gw * ag;
             int faces = 6;
@@ -391,10 +373,10 @@ static void test_nested(void)
             if (k == 1)  /* air | water | air | water | glass | air: one interface at the top */
                 T1 = kept(a, w) * wv * wv * gw * ag, faces = 5;
             int last = passed(&x, faces);
-            check(last > 0 && !(x.ray[last].t < real_infinity), "case %d, T = %g: out", k,
+            check(last > 0 && !(x.node[last].t < real_infinity), "case %d, T = %g: out", k,
                   (double)T);
             if (last > 0)
-                check_close(x.ray[last].weight.x, T1, 32 * (double)real_epsilon, "case %d", k);
+                check_close(x.node[last].weight.x, T1, 32 * (double)real_epsilon, "case %d", k);
             stage_end(&s);
         }
 }
@@ -424,20 +406,20 @@ static void test_on_table(void)
      * air | 1 | 2 | air if 2 has priority; 1 ends within 2 without an interface. */
     for (int p = -1; p <= 1; p++) {
         stage s = {0};
-        rays_seen x;
+        ray_tree x;
         s.media[1] = (medium){1.5, {1, 0, 0}, 0}, s.media[2] = (medium){2, {0, 1, 0}, p};
         stage_add(&s, shape_of_sphere((sphere){{0, 0, 1}, 1.5}), whitted_clear(1, 1));
         stage_add(&s, shape_of_sphere((sphere){{0, 0, -1}, 1.5}), whitted_clear(2, 1));
         tracer t = stage_begin(&s, 8);
-        looked(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), (media_set){0}, &x);
+        looked(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), &x);
         int last = passed(&x, 4);  /* four faces, one of which is passed */
-        check(last > 0 && x.ray[last].depth == 4, "three interfaces, not four");
+        check(last > 0 && x.node[last].depth == 4, "three interfaces, not four");
         /* faces at z = 2.5, 0.5, -0.5, -2.5 */
         double in1 = p < 0 ? 3 : 2, in2 = p < 0 ? 2 : 3;
         double T = (1 - 0.04) * (1 - pow(0.5 / 3.5, 2)) * (1 - 1.0 / 9);
-        check_close(x.ray[last].weight.z, T, 16 * (double)real_epsilon, "light");
-        check_close(x.ray[last].weight.x, T * exp(-in1), 16 * (double)real_epsilon, "way in 1");
-        check_close(x.ray[last].weight.y, T * exp(-in2), 16 * (double)real_epsilon, "way in 2");
+        check_close(x.node[last].weight.z, T, 16 * (double)real_epsilon, "light");
+        check_close(x.node[last].weight.x, T * exp(-in1), 16 * (double)real_epsilon, "way in 1");
+        check_close(x.node[last].weight.y, T * exp(-in2), 16 * (double)real_epsilon, "way in 2");
         stage_end(&s);
     }
 }

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 960, .height = 566 + 266 * sphere_mine, .seed = 1};
+    options defaults = {.width = 954, .height = 486 + 246 * sphere_mine, .seed = 1};
     const char *about = "A ray meets a sphere: error and time.";
     options o = options_read(argc, argv, "03_sphere", about, defaults, NULL);
     bool right = !sphere_mine || sphere_prove(mine_sphere_hit, "mine", 30000, stdout);

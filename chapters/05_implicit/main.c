@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     o = options_read(argc, argv, "05_implicit", "Surfaces f(p) = 0, and who misses what.", o, NULL);
     implicit_draw(&o);
     if (!o.out) implicit_draw_roots(&o);
-    if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o), implicit_draw_shapes(&o);
+    if (!o.out && (o.full || o.quick)) implicit_draw_missed(&o);
     implicit_measure(&o);
     return output_done(&o);
 }

@@ -17,7 +17,7 @@
 #include "label.h"
 #include "pixels.h"
 
-enum { panels_most = 8 };
+enum { panels_most = 12 };
 typedef struct { const char *name; const void *context; } panel;
 typedef struct { int width, height, columns, rows, gap, side; bool tags; } panels_shape;
 

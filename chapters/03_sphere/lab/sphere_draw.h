@@ -9,11 +9,9 @@
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
 
-#include "../../../common/output.h"
 #include "../../../common/headlight.h"
 #include "../../../common/lab/figure.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
+#include "../../../common/lab/panels.h"
 #include "mine.h"
 #include "sphere_variants.h"
 
@@ -33,13 +31,14 @@ static inline ray sphere_eye_ray(real far, real x, real y)
     return ray_from(o, vsub(vadd(vscale(right, x), vscale(up, y)), o));
 }
 
-/* Of a panel; all compute in the precision of this build. */
-typedef struct { sphere_hit_function *X_hit; real far, width, height, scale; } sphere_panel;
+/* Of a panel; all compute in the precision of this build. The window is 2.3 R high, or wide. */
+typedef struct { sphere_hit_function *X_hit; real far, width, height; } sphere_panel;
 
 static vec3 sphere_panel_colour(const void *context, real x, real y)
 {
     const sphere_panel *p = context;
-    ray r = sphere_eye_ray(p->far, (x - p->width / 2) * p->scale, (p->height / 2 - y) * p->scale);
+    real scale = (real)2.3 / real_min(p->width, p->height);
+    ray r = sphere_eye_ray(p->far, (x - p->width / 2) * scale, (p->height / 2 - y) * scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
     bool is = p->X_hit(ball, r, &found), due = sphere_clearance(ball, r) <= 0;
@@ -53,40 +52,33 @@ static vec3 sphere_panel_colour(const void *context, real x, real y)
 
 static inline void sphere_draw(const options *o)
 {
-    static const char *const near[sphere_columns] = {"500", "1000", "2000", "5000"};
-    static const char *const far[sphere_columns] = {"1e7", "2e7", "5e7", "1e8"};
-    const char *const title_of[] = {real_is_float ? "first.h, float, " : "first.h, double, ",
-                                    "sphere_hit, ", "mine, "};
+    static const struct { real far; const char *name; } eye[2][sphere_columns] = {
+        {{1e7, "1e7"}, {2e7, "2e7"}, {5e7, "5e7"}, {1e8, "1e8"}},
+        {{500, "500"}, {1000, "1000"}, {2000, "2000"}, {5000, "5000"}}};
+    const struct { int x; vec3 colour; const char *text; } key[3] = {
+        {30, sphere_red, "misses, but should hit"}, {290, sphere_blue, "hits, but should miss"},
+        {540, {0, 0, 0}, "hits, but b^2 - 4ac came out as 0"}};
+    const char *const of[] = {real_is_float ? "first.h, float, " : "first.h, double, ",
+                              "sphere_hit, ", "mine, "};
     sphere_hit_function *const test[] = {first_sphere_hit, sphere_hit, mine_sphere_hit};
-    bool words = o->width >= 880 && o->height >= 400, whole = true;
-    int title = words ? 26 : 0, key = words ? 34 : 0, gap = words ? 6 : 0;  /* [pixels] */
-    int w = o->width / sphere_columns, strip = (o->height - key) / sphere_rows;
-    image im = label_sheet(o->width, o->height);
-    if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
-    if (strip == 0) strip = 1;
-    int least = w < strip - title ? w : strip - title;
-    for (int k = 0; k < sphere_rows * sphere_columns && whole; k++) {
+    bool words = o->width >= 880 && o->height >= 400, whole;
+    panels_shape g = {o->width, o->height, sphere_columns, sphere_rows, words ? 6 : 0, 1, !words};
+    sphere_panel s[sphere_columns * sphere_rows];
+    panel p[sphere_columns * sphere_rows];
+    char name[sphere_columns * sphere_rows][64];
+    for (int k = 0; k < sphere_columns * sphere_rows; k++) {
         int column = k % sphere_columns, row = k / sphere_columns;
-        image one = image_new(w - gap, strip - title);
-        const char *from = (real_is_float ? near : far)[column];
-        /* NOLINTNEXTLINE(cert-err34-c): one of the eight above */
-        sphere_panel p = {test[row], (real)atof(from), (real)one.width, (real)one.height,
-                          (real)2.3 / (real)least};
-        whole = pixels_draw(&one, 1, o->threads, "sphere", sphere_panel_colour, &p);
-        image_place(&im, column * w, row * strip + title, &one);
-        image_free(&one);
-        char text[64];
-        snprintf(text, sizeof text, "%sfrom %s R", column ? "" : title_of[row], from);
-        if (words)
-            label_text(&im, column * w + (w - gap) / 2.0, row * strip + 18, 12, 0.5, vec(0, 0, 0),
-                       text);
+        s[k] = (sphere_panel){test[row], eye[real_is_float][column].far, (real)panels_wide(g),
+                              (real)panels_high(g)};
+        snprintf(name[k], sizeof name[k], "%sfrom %s R", column ? "" : of[row],
+                 eye[real_is_float][column].name);
+        p[k] = (panel){name[k], &s[k]};
     }
+    image im = panels_new(o, g, sphere_panel_colour, p, &whole);
+    if (words) label_below(&im, 34);
     for (int k = 0; k < 3 && words; k++) {
-        const struct { int x; vec3 colour; const char *text; } key_of[3] = {
-            {30, sphere_red, "misses, but should hit"}, {290, sphere_blue, "hits, but should miss"},
-            {540, {0, 0, 0}, "hits, but b^2 - 4ac came out as 0"}};
-        label_fill(&im, key_of[k].x, im.height - 26, 18, 18, key_of[k].colour);
-        label_text(&im, key_of[k].x + 26, im.height - 12, 11, 0, vec(0, 0, 0), key_of[k].text);
+        label_fill(&im, key[k].x, im.height - 26, 18, 18, key[k].colour);
+        label_text(&im, key[k].x + 26, im.height - 12, 11, 0, vec(0, 0, 0), key[k].text);
     }
     output_picture(o, &im, "03_sphere.png", true, whole);
     image_free(&im);

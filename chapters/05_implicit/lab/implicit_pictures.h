@@ -1,7 +1,6 @@
 /* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
  *
  *   implicit_draw(&o)                 Barth's sextic: the main picture
- *   implicit_draw_shapes(&o)          a gyroid, a blend, a torus: side by side
  *   implicit_draw_missed(&o)          Barth's sextic from close by, by steps and by intervals: red
  *                                     is what steps miss
  *
@@ -127,45 +126,21 @@ cold_inline void implicit_draw(const options *o)
     image_free(&im);
 }
 
-/* Panels of one row, with their titles. */
-static inline void implicit_draw_row(const options *o, const implicit_view *v,
-                                     const char *const *title, int n, const char *name)
-{
-    enum { gap = 6 };
-    image sheet = {0}, one = image_new((960 + gap) / n - gap, o->quick ? 60 : 316);
-    bool whole = true;
-    for (int k = 0; k < n && whole; k++) {
-        whole = implicit_render(v[k], o->samples, o->threads, &one);
-        label_panel(&sheet, n, 1, gap, k, &one);
-    }
-    panels_save(o, &sheet, n, 1, gap, title, name, whole);
-    image_free(&one);
-}
-
-cold_inline void implicit_draw_shapes(const options *o)
-{
-    static const char *const title[] = {"gyroid, by intervals", "smooth union, sphere tracing",
-                                        "torus, by intervals"};
-    implicit_view v[] = {
-        {.s = implicit_subject_of(IMPLICIT_GYROID).s, .how = implicit_sure},
-        {.s = implicit_subject_of(IMPLICIT_BLEND).s,
-         .how = {IMPLICIT_TRACE, implicit_trace_steps, implicit_trace_eps}},
-        {.s = implicit_subject_of(IMPLICIT_TORUS).s, .how = implicit_sure}};
-    v[0].c = implicit_camera(vec(0, 0, 0), 3 * v[0].s.ball.r, 40, 30, 25);
-    v[1].c = implicit_camera(vec(-0.05, 0, 0), 3 * v[1].s.ball.r, 27, 30, 30);
-    v[2].c = implicit_camera(vec(0, 0, 0), 3 * v[2].s.ball.r, 31, 35, 30);
-    implicit_draw_row(o, v, title, 3, "05_implicit_shapes.png");
-}
-
 cold_inline void implicit_draw_missed(const options *o)
 {
     static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
-    implicit_view v[2] = {{.s = implicit_barth(&implicit_barth_radius)}};
-    v[0].c = implicit_camera(vec(0.3, 0.62, 1.2), (real)2.2 * v[0].s.ball.r, 14, 12, 18);
-    v[1] = v[0];
-    v[0].how = (implicit_how){IMPLICIT_FIRST, 24, 0}, v[0].judge = true;
-    v[1].how = implicit_sure;
-    implicit_draw_row(o, v, title, 2, "05_implicit_missed.png");
+    enum { gap = 6 };
+    implicit_view v = {.s = implicit_barth(&implicit_barth_radius)};
+    image sheet = {0}, one = image_new((960 - gap) / 2, o->quick ? 60 : 316);
+    bool whole = true;
+    v.c = implicit_camera(vec(0.3, 0.62, 1.2), (real)2.2 * v.s.ball.r, 14, 12, 18);
+    for (int k = 0; k < 2 && whole; k++) {
+        v.how = k ? implicit_sure : (implicit_how){IMPLICIT_FIRST, 24, 0}, v.judge = !k;
+        whole = implicit_render(v, o->samples, o->threads, &one);
+        label_panel(&sheet, 2, 1, gap, k, &one);
+    }
+    panels_save(o, &sheet, 2, 1, gap, title, "05_implicit_missed.png", whole);
+    image_free(&one);
 }
 
 #endif

@@ -28,7 +28,8 @@ static inline void pixel_say(const ray_tree *x)
         explain_line(deep, law[n->kind], "%s ray, depth %d, along (%.6g, %.6g, %.6g)",
                      ray_kind_names[n->kind], n->depth, (double)n->r.d.x, (double)n->r.d.y,
                      (double)n->r.d.z);
-        explain_line(deep + 2, "(19.10)", "in the pixel it weighs %.6g", (double)n->weight);
+        explain_line(deep + 2, "(19.10)", "in the pixel it weighs %.6g", 
+                     (double)vlargest(n->weight));
         if (n->t < real_infinity)
             explain_vector(deep + 2, "(1.2)", "it hits at p =", ray_at(n->r, n->t));
         else explain_line(deep + 2, "", "it ends in the sky");

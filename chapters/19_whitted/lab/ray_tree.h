@@ -4,7 +4,7 @@
  *   w.log = ray_tree_begin(x)               from now on w's rays are noted; x->full: more than 4096
  *   whitted_ray(&tracer, r, in)
  *   ray_tree_draw(x, path)                  an SVG, NULL: none; depth downwards; width and number
- *                                           of a line: weight
+ *                                           of a line: the largest component of its weight
  *
  *   camera 1 ---.                           from  number of the ray before it, -1: the eye
  *     reflection 2                          t     where it ended; infinity: in the sky
@@ -22,7 +22,8 @@ typedef struct {
     ray_kind kind;
     int from, depth;       /* number of the ray before it, -1: the eye */
     ray r;
-    real t, weight, lit;   /* infinity: in the sky; largest component; of a shadow ray: arrives */
+    real t, lit;           /* infinity: in the sky; of a shadow ray: arrives */
+    vec3 weight;
 } ray_tree_node;
 
 typedef struct {
@@ -42,8 +43,7 @@ static inline int ray_tree_add(whitted_log *log, ray_kind kind, int from, int de
         x->full = true;
         return ray_tree_most - 1;
     }
-    real most = real_max(real_max(weight.x, weight.y), weight.z);
-    x->node[x->n] = (ray_tree_node){kind, from, depth, r, t, most, lit};
+    x->node[x->n] = (ray_tree_node){kind, from, depth, r, t, lit, weight};
     return x->n++;
 }
 
@@ -80,16 +80,16 @@ static inline void ray_tree_draw_ray(figure *g, const ray_tree_node *n, double x
                                      double y)
 {
     bool shadow = n->kind == RAY_SHADOW;
+    double weight = (double)vlargest(n->weight);
     figure_line(g, x0, y + 70, x1, y, ray_tree_colour[n->kind],
-                shadow ? 1 : 1 + 9 * sqrt((double)n->weight),
+                shadow ? 1 : 1 + 9 * sqrt(weight),
                 shadow ? FIGURE_DASHED : FIGURE_WHOLE);
     figure_dot(g, x1, y, 6.5, FIGURE_BLACK);
     figure_dot(g, x1, y, 5.5, shadow ? n->lit > 0 ? "#ffe27a" : "#444444"
                               : n->t < real_infinity ? "#ffffff" : "#9ad0ff");
     if (shadow || n->from < 0) return;
     figure_print(g, x1, y, x1 < x0 ? -8 : 8, -2, x1 < x0 ? FIGURE_RIGHT : FIGURE_LEFT,
-                 ray_tree_colour[n->kind], n->weight < (real)0.1 ? "%.1g" : "%.2g",
-                 (double)n->weight);
+                 ray_tree_colour[n->kind], weight < 0.1 ? "%.1g" : "%.2g", weight);
 }
 
 static inline void ray_tree_draw(const ray_tree *x, const char *path)
