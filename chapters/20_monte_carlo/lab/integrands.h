@@ -8,7 +8,7 @@
  *   first_errors(...)            the notes' way, first.h: one stream, sums of reals
  *                                Exact standard deviations of the mean of N samples:
  *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.6)
- *   deviation_jittered(f, k)     N = k x k cells, one sample each:
+ *   deviation_jittered(k)        smooth, N = k x k cells, one sample each:
  *                                sqrt(sum over the cells of V[f in the cell]) / N           (20.8)
  *   deviation_sobol(m)           smooth, N = 2^m, Owen's scrambling:
  *                                sqrt(sum of gain times variance of a level / N)           (20.20)
@@ -81,38 +81,23 @@ static inline double exp_variance(double a, double h)
     return exp(2 * a + h) * v;
 }
 
-/* Area below the circle's quarter over [x, x+h], cut at height y: of the box from 0. */
-static inline double circle_area(double x, double y)  /* of {s < x, t < y, s^2 + t^2 < 1} */
-{
-    if (x <= 0 || y <= 0) return 0;
-    x = x < 1 ? x : 1, y = y < 1 ? y : 1;
-    if (x * x + y * y <= 1) return x * y;
-    double from = sqrt((1 - y) * (1 + y));  /* up to there the height is y, then the circle */
-    return from * y + 0.5 * (x * sqrt((1 - x) * (1 + x)) + asin(x) - from * y - asin(from));
-}
-
 static inline double deviation_random(integrand f, double n)
 {
     double mean = exp_mean(0, 1), v = exp_variance(0, 1), p = quarter_pi;
     return sqrt((f == SMOOTH ? v * (v + 2 * mean * mean) : p * (1 - p)) / n);
 }
 
-static inline double deviation_jittered(integrand f, int k)
+/* Of the smooth one. */
+static inline double deviation_jittered(int k)
 {
     double h = 1.0 / k, sum = 0, n = (double)k * k;
     for (int i = 0; i < k * k; i++) {
-        double x = (i % k) * h, y = (i / k) * h, hx = x + h, hy = y + h;
-        if (f == SMOOTH) {
-            double vx = exp_variance(x, h), vy = exp_variance(y, h);
-            double mx = exp_mean(x, h), my = exp_mean(y, h);
-            sum += vx * vy + vx * my * my + mx * mx * vy;
-        } else {
-            double a = circle_area(hx, hy) - circle_area(x, hy) - circle_area(hx, y)
-                       + circle_area(x, y), p = a * n;
-            sum += p * (1 - p);
-        }
+        double x = (i % k) * h, y = (i / k) * h;
+        double vx = exp_variance(x, h), vy = exp_variance(y, h);
+        double mx = exp_mean(x, h), my = exp_mean(y, h);
+        sum += vx * vy + vx * my * my + mx * mx * vy;
     }
-    return sqrt(sum > 0 ? sum : 0) / n;
+    return sqrt(sum) / n;
 }
 
 /* Variance of e^x that lies between steps of width 2^-k and steps of half that width: a quarter of

@@ -80,8 +80,8 @@ static inline double convergence_exact(int method, integrand f, int level)
 {
     if (method == SEQUENCE_RANDOM || method == CONVERGENCE_FIRST)
         return deviation_random(f, convergence_n(level));
-    if (method == SEQUENCE_JITTERED) return deviation_jittered(f, 4 << level);
-    if (method == SEQUENCE_SOBOL && f == SMOOTH) return deviation_sobol(4 + 2 * level);
+    if (f == SMOOTH && method == SEQUENCE_JITTERED) return deviation_jittered(4 << level);
+    if (f == SMOOTH && method == SEQUENCE_SOBOL) return deviation_sobol(4 + 2 * level);
     return (double)NAN;
 }
 
