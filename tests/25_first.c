@@ -8,6 +8,7 @@
 #include "../chapters/25_bounces/lab/series.h"
 #include "../chapters/25_bounces/terms.h"
 #include "check.h"
+#include "first_cube.h"
 
 static const double false_alarm = 1e-8;
 static const double sigmas = 5.8;
@@ -152,22 +153,6 @@ static void test_rows(void)
 
 /* ---- a closed room ---- */
 
-/* The cube [-1,1]^3; thing 0 is wall number `shining`, and alone has E. */
-static first_scene cube(int shining, first_material m, vec3 E, real eps)
-{
-    static const double wall[6][9] = {
-        {-1, -1, -1, 0, 2, 0, 0, 0, 2}, {1, -1, -1, 0, 0, 2, 0, 2, 0},
-        {-1, -1, -1, 0, 0, 2, 2, 0, 0}, {-1, 1, -1, 2, 0, 0, 0, 0, 2},
-        {-1, -1, -1, 2, 0, 0, 0, 2, 0}, {-1, -1, 1, 0, 2, 0, 2, 0, 0}};
-    first_scene s = {.eps = eps};
-    for (int i = 0; i < 6; i++) {
-        const double *w = wall[(shining + i) % 6];
-        m.ke = i ? (vec3){0, 0, 0} : E;
-        first_add_flat(&s, vec(w[0], w[1], w[2]), vec(w[3], w[4], w[5]), vec(w[6], w[7], w[8]), m);
-    }
-    return s;
-}
-
 /* In a furnace all walls shine, and first_term asks thing 0 alone. But K is linear: K of the sum is
  * the sum of six rooms, in each of which another wall shines, K E_1 + ... + K E_6 = rho E. One hit,
  * off the edges: a lamp that touches the wall has no finite variance by area, averaged over it. */
@@ -178,7 +163,7 @@ static void test_furnace(void)
     for (uint64_t i = 0; i < check_count(40000); i++) {
         vec3 emitted = {0, 0, 0}, sum = {0, 0, 0};
         for (int w = 0; w < 6; w++) {
-            first_scene s = cube(w, (first_material){.kd = rho}, E, (real)1e-5);
+            first_scene s = first_cube(w, (first_material){.kd = rho}, E, (real)1e-5);
             random_stream random = random_start(3, i, (uint64_t)w);
             ray r = ray_from(vec(0, 0, 0), vec(1, 0.3, -0.4));
             emitted = vadd(emitted, first_term(&s, r, 0, 1, &random));
@@ -201,7 +186,7 @@ static void test_furnace(void)
 static void test_rays(void)
 {
     first_material m = {.kd = {1, 1, 1}};
-    first_scene s = cube(2, m, (vec3){1, 1, 1}, real_is_float ? (real)1e-5 : (real)1e-13);
+    first_scene s = first_cube(2, m, (vec3){1, 1, 1}, real_is_float ? (real)1e-5 : (real)1e-13);
     double rays = 0, due = 0;
     for (int N = 1; N <= 3; N++)
         for (int k = 0; k <= 5; k++)
@@ -242,7 +227,7 @@ static void test_sums(void)
 /* One level of recursion a bounce: a thousand are no danger for the stack. */
 static void test_odd_input(void)
 {
-    first_scene empty = {.eps = (real)1e-5}, s = cube(0, (first_material){.kd = {1, 1, 1}},
+    first_scene empty = {.eps = (real)1e-5}, s = first_cube(0, (first_material){.kd = {1, 1, 1}},
                                                       (vec3){1, 1, 1}, (real)1e-5);
     random_stream random = random_start(6, 0, 0);
     ray r = ray_from(vec(0, 0, 0), vec(-1, 0, 0));

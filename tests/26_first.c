@@ -6,6 +6,7 @@
 #include "../chapters/26_path_tracer/first.h"
 #include "../chapters/26_path_tracer/path.h"
 #include "check.h"
+#include "first_cube.h"
 
 static const double false_alarm = 1e-8;
 static const double sigmas = 5.8;
@@ -154,27 +155,12 @@ static void test_by_luck(void)
 
 /* ---- a closed room that loses nothing: light without end, paths with one ---- */
 
-static first_scene cube(double rho, vec3 E)
-{
-    static const double wall[6][9] = {
-        {-1, -1, -1, 0, 2, 0, 0, 0, 2}, {1, -1, -1, 0, 0, 2, 0, 2, 0},
-        {-1, -1, -1, 0, 0, 2, 2, 0, 0}, {-1, 1, -1, 2, 0, 0, 0, 0, 2},
-        {-1, -1, -1, 2, 0, 0, 0, 2, 0}, {-1, -1, 1, 0, 2, 0, 2, 0, 0}};
-    first_scene s = {.eps = (real)1e-5};
-    for (int i = 0; i < 6; i++) {
-        const double *w = wall[i];
-        first_material m = {.kd = vec(rho, rho, rho), .ke = i ? (vec3){0, 0, 0} : E};
-        first_add_flat(&s, vec(w[0], w[1], w[2]), vec(w[3], w[4], w[5]), vec(w[6], w[7], w[8]), m);
-    }
-    return s;
-}
-
 /* Hits of a path: P(n) = q^(n-1) (1 - q), on average 1 / (1 - q) = 5, more than 93 with the
  * probability q^93 = 1e-9. The recursion is as deep as that. With albedo 1 the light grows without
  * end; each path ends. */
 static void test_ends(void)
 {
-    first_scene s = cube(1, (vec3){1, 1, 1});
+    first_scene s = first_cube(0, (first_material){.kd = {1, 1, 1}}, (vec3){1, 1, 1}, (real)1e-5);
     estimate hits = {0, 0, 0};
     int most = 0;
     bool finite = true;
