@@ -5,9 +5,8 @@
  *   path_explain(&o, "cornell", "160,200")      the scene (cornell, spheres, metal), the pixel;
  *                                               the drawing goes to build/26_path_tracer_pixel.svg
  *
- * Each hit is asked twice: first path.h's own functions work on copies of the walk and of its
- * random numbers, so that what they do can be told; then path_step goes on. That what was told is
- * the light that it brings, and all of it the very L of path_radiance, is tested each time.
+ * Each step calls path.h's own functions as path_step does, and tells what they do. That the light
+ * which this brings is the very L of path_radiance is tested each time.
  */
 #ifndef PATH_PIXEL_H
 #define PATH_PIXEL_H
@@ -35,31 +34,50 @@ static inline void pixel_light(const vertex_seen *v, vec3 gain)
     }
 }
 
-static inline void pixel_dice(const path_tracer *t, const path_walk *before, bool on)
+/* False: the path ends here. */
+static inline bool pixel_dice(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
-    real q = roulette_survival(vscale(before->beta, 1 / before->squeezed));
-    explain_vector(2, t->glass ? "(26.2), (26.10)" : "(26.2)", "on, with beta =", before->beta);
+    real q = roulette_survival(vscale(w->beta, 1 / w->squeezed));
+    explain_vector(2, t->glass ? "(26.2), (26.10)" : "(26.2)", "on, with beta =", w->beta);
+    bool on = path_dice(t, w, s, c);
     if (q >= 1) explain_line(2, "(26.4)", "it carries half of the light or more: no dice");
     else if (on) explain_line(2, "(26.3)", "dice: goes on with q = %.4f, beta / q", (double)q);
     else explain_line(2, "(26.3)", "dice: ends here, q = %.4f", (double)q);
+    return on;
 }
 
-/* One hit in words: of the walk w, a copy, and a copy s of its random numbers; w->L is then what
- * was told of light. False: there is no hit. */
-cold_inline bool pixel_vertex(const path_tracer *t, path_walk *w, path_random s, int k,
-                              vertex_seen *v)
+/* On from the hit x, by its BRDF; false: the path ends there. */
+static inline bool pixel_reflect(const path_tracer *t, path_walk *w, const lit_hit *x,
+                                 path_random *s, path_counts *c, vertex_seen *v)
+{
+    vec3 L = w->L;
+    if (brdf_is_black(&x->m->f)) return false;
+    bool ask = t->how.light_sampling && !brdf_is_delta(&x->m->f);
+    if (ask) vertices_light(t, w, x, *s, v);
+    bool on = path_reflect(t, w, x, s, c);
+    v->gain = vsub(w->L, L);
+    if (ask) pixel_light(v, v->gain);
+    if (!on) explain_line(2, "", "the BRDF reflects nothing: the path ends");
+    else if (!(w->pdf < real_infinity)) explain_line(2, "(19.1)", "a mirror: one direction");
+    else explain_line(2, "(26.1)", "the BRDF draws the next direction, p = %.4g", (double)w->pdf);
+    return on;
+}
+
+/* One hit in words, and on from there; false: the path ends. */
+cold_inline bool pixel_vertex(const path_tracer *t, path_walk *w, path_random *s, path_counts *c,
+                              pixel_path *path)
 {
     lit_hit x = {.m = NULL};
-    path_counts c = {0};
     char name[16];
-    snprintf(name, sizeof name, "x%d =", k);
     if (!lit_trace_from(t->scene, w->r, w->left, &x)) {
         vec3 sky = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, sky);
         explain_vector(0, "(26.5)", "out of the scene, where beta L is", sky);
         return false;
     }
+    vertex_seen none, *v = path->n < vertices_most ? &path->v[path->n++] : &none;
     *v = (vertex_seen){.p = x.s.p, .beta = w->beta};
+    snprintf(name, sizeof name, "x%d =", w->bounces);
     explain_vector(0, "(1.2)", name, x.s.p);
     explain_vector(2, "(26.2)", "beta =", w->beta);
     if (t->glass && w->medium)
@@ -71,44 +89,13 @@ cold_inline bool pixel_vertex(const path_tracer *t, path_walk *w, path_random s,
     }
     if (t->glass && x.m->ior > 0) {
         const lit_material *before = w->medium;
-        path_through_glass(t, w, &x, &s, &c);
+        if (!path_through_glass(t, w, &x, s, c)) return false;
         explain_line(2, "(26.9)", w->medium == before ? "glass: reflected" : w->medium
                      ? "glass: the path goes in" : "glass: the path goes out");
-    } else {
-        if (brdf_is_black(&x.m->f)) return true;
-        vec3 L = w->L;
-        bool ask = t->how.light_sampling && !brdf_is_delta(&x.m->f);
-        if (ask) vertices_light(t, w, &x, s, v);
-        bool on = path_reflect(t, w, &x, &s, &c);
-        v->gain = vsub(w->L, L);
-        if (ask) pixel_light(v, v->gain);
-        if (!on) explain_line(2, "", "the BRDF reflects nothing: the path ends");
-        else if (!(w->pdf < real_infinity)) explain_line(2, "(19.1)", "a mirror: one direction");
-        else explain_line(2, "(26.1)", "the BRDF draws the next direction, p = %.4g",
-                          (double)w->pdf);
-        if (!on) return true;
-    }
-    if (vzero(w->beta)) return true;
-    path_random die = s;
-    path_walk after = *w;
-    pixel_dice(t, w, path_dice(t, &after, &die, &c));
+    } else if (!pixel_reflect(t, w, &x, s, c, v)) return false;
+    if (vzero(w->beta) || !pixel_dice(t, w, s, c)) return false;
+    w->bounces++;
     return true;
-}
-
-static inline vec3 pixel_trace(const path_tracer *t, ray eye, path_random s, pixel_path *path)
-{
-    path_walk w = path_begin(eye);
-    path_counts c = {0};
-    bool on = true;
-    for (int k = 0; on; k++) {
-        vertex_seen v;
-        path_walk told = w;
-        if (pixel_vertex(t, &told, s, k, &v) && path->n < vertices_most) path->v[path->n++] = v;
-        on = path_step(t, &w, &s, &c);
-        if (!vzero(vsub(told.L, w.L)))
-            die(1, "--pixel: what was told of x%d is not what path.h did", k);
-    }
-    return w.L;
 }
 
 static inline void path_draw(const options *o, const showcase *c, bool blocks,
@@ -146,7 +133,10 @@ cold_inline void path_explain(const options *o, const char *name, const char *te
     printf("# The first path of pixel %d, %d of %d x %d, %s\n", xy[0], xy[1], w, h, name);
     explain_vector(0, "(2.5)", "o =", eye.o);
     explain_vector(0, "(2.5)", "d =", eye.d);
-    vec3 L = pixel_trace(&x.t, eye, s, &path), due = path_radiance(&x.t, eye, &again, &counts);
+    path_walk walk = path_begin(eye);
+    path_counts told = {0};
+    while (pixel_vertex(&x.t, &walk, &s, &told, &path)) {}
+    vec3 L = walk.L, due = path_radiance(&x.t, eye, &again, &counts);
     if (!vzero(vsub(L, due))) die(1, "--pixel: this walk is not that of path.h");
     explain_vector(0, "(26.5)", "this path brings L =", L);
     printf("%zu rays; the pixel is the mean of many such paths\n", path_rays(&counts));
