@@ -197,7 +197,7 @@ static inline hard_count insides(int k, real x)
 static inline hard_count drawn(int k, real x)
 {
     int nx = (int)x, ny = nx * 3 / 4;
-    mesh m = orders_scene(k, false);
+    mesh m = orders_scene(k);
     camera c = orders_camera((real)4 / 3);
     raster due = raster_new(nx, ny), now = raster_new(nx, ny), first = orders_first(&m, c, nx, ny);
     (void)orders_rays(&due, &m, c, 0);
