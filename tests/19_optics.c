@@ -314,13 +314,16 @@ static void test_media(void)
     after = (media_set){0}, media_cross(&after, &both);
     check_equal(media_fills(m, &after), 4, "entered at once: the higher number fills");
     media_set full = {0};
-    for (uint32_t k = 1; k < 20; k++) media_enter(&full, k);
+    for (uint32_t k = 1; k < 20; k++)
+        check(media_enter(&full, k) == (k <= media_most), "body %u: room", (unsigned)k);
     check_equal(full.n, media_most, "an eighth is not noted");
+    check(media_enter(&full, 3), "one that is in there needs none");
     c = (media_crossing){0};
     for (uint32_t k = 20; k > 0; k--) media_crossing_add(&c, k, -1);
     check_equal(c.n, media_most_faces, "nor a ninth face");
     before = media_before(full, &c);
     check_equal(before.n, media_most, "no room: none added");
+    check(!media_begin(&full, &c), "and it says so");
 }
 
 int main(void)

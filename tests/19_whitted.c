@@ -1,6 +1,7 @@
 /* 19_whitted: the walk against closed forms and twice the precision: ball, hall of mirrors,
  * furnace; touching and nested bodies; no ray that is not called for; the same as a loop. */
 #include "check.h"
+#include "child.h"
 #include "../common/image.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
@@ -532,6 +533,44 @@ static vec3 sky_above(const void *context, vec3 d)
     return (vec3){d.z > 0 ? 1 : 0, d.z > 0 ? 0 : 1, 3};
 }
 
+/* Balls of glass of no refraction: within one another, seen from outside or from the middle, where
+ * one after the other is left and none is entered; or sheets at one place. Of more than there is
+ * room for the light would be wrong. */
+typedef struct { int bodies; real z; bool sheets; } many_bodies;
+
+static void look_through(void *context)
+{
+    const many_bodies *many = context;
+    stage s = {0};
+    s.w.background = (vec3){1, 1, 1};
+    for (uint32_t k = 1; k <= (uint32_t)many->bodies; k++) {
+        s.media[k].ior = 1;
+        if (many->sheets) stage_square(&s, (vec3){0, 0, 0}, 1, k % 2 > 0, whitted_clear(k, 1));
+        else stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, (real)k}), whitted_clear(k, 1));
+    }
+    tracer t = stage_begin(&s, 30);
+    ray r = ray_from((vec3){0, 0, many->z}, (vec3){0, 0, -1});
+    printf("%.3f", (double)whitted_ray(&t, r, (media_set){0}).x);
+    stage_end(&s);
+}
+
+static void test_too_many(void)
+{
+    static const struct { many_bodies of; const char *err; } list[] = {
+        {{7, 50, false}, ""}, {{8, 0, false}, ""}, {{8, 5, true}, ""},
+        {{8, 50, false}, "more than 7 bodies of glass lie around one another"},
+        {{9, 5, true}, "more than 8 bodies of glass touch at one place"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        many_bodies of = list[i].of;
+        child_result r = child_run(look_through, &of);
+        bool refused = *list[i].err != 0;
+        check_equal(r.status, refused ? 2 : 0, "%d bodies, from %g: %s", of.bodies, (double)of.z,
+                    r.err);
+        check(refused ? strstr(r.err, list[i].err) != NULL : strcmp(r.out, "1.000") == 0,
+              "%d bodies: said %s, seen %s", of.bodies, r.err, r.out);
+    }
+}
+
 static void test_looks(void)
 {
     double eps = (double)real_epsilon;
@@ -734,6 +773,7 @@ int main(void)
     test_reach();
     test_inside();
     test_looks();
+    test_too_many();
     test_called_for();
     test_spend_all();
     test_cut();

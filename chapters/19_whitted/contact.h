@@ -22,6 +22,7 @@
 #ifndef WHITTED_CONTACT_H
 #define WHITTED_CONTACT_H
 
+#include "../../common/file.h"
 #include "whitted_scene.h"
 
 typedef struct {
@@ -29,6 +30,7 @@ typedef struct {
     trace_hit opaque;       /* a face that ends it; h.shape = no_shape: none */
     uint32_t shape, part;   /* the face that we know of */
     vec3 d;                 /* of the ray that met it */
+    bool full;              /* more bodies are there than a crossing holds */
 } contact_notes;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -42,7 +44,7 @@ static inline any_hit_answer contact_any(const tracer *t, ray r, trace_hit x, vo
     surface s = surface_of_trace(t, r, x);
     uint32_t body = w->material_of(w->context, x, &s, &room)->body;
     real along = vdot(s.n, notes->d);
-    if (body) media_crossing_add(notes->c, body, along < 0 ? 1 : -1);
+    if (body) notes->full |= !media_crossing_add(notes->c, body, along < 0 ? 1 : -1);
     else if (notes->opaque.h.shape == no_shape || hit_before(x.h, notes->opaque.h))
         notes->opaque = x;
     return ANY_HIT_IGNORE;
@@ -56,8 +58,9 @@ static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
     real reach = 2 * (s->error + s->noise) + w->touch;
     vec3 n = vdot(s->n, r.d) < 0 ? vneg(s->n) : s->n;  /* onwards */
     ray across = {vmadd(s->p, n, -reach), 0, n, 2 * reach};
-    contact_notes notes = {c, {hit_none, 0}, x.h.shape, x.part, r.d};
+    contact_notes notes = {c, {hit_none, 0}, x.h.shape, x.part, r.d, false};
     trace(t, RAY_SIGHT, across, &notes);
+    if (notes.full) die(2, "more than %d bodies of glass touch at one place", media_most_faces);
     if (notes.opaque.h.shape != no_shape) {
         surface on = surface_of_trace(t, across, notes.opaque);
         *s = on;

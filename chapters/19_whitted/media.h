@@ -9,8 +9,9 @@
  *   medium m[] = {{1, {0,0,0}, 0}, {1.5, ..}, ..};    m[k]: what body k is made of; m[0]: air
  *   media_set in = {0};                               the bodies that a ray is in: none
  *   uint32_t k = media_fills(m, &in)                  whose medium it is that fills the place
- *   media_enter(&in, k), media_leave(&in, k)          at most 7 at once: an eighth is not noted
- *                                                     (27 refuses such scenes)
+ *   if (!media_enter(&in, k)) ..                      at most media_most at once: one more is not
+ *   media_leave(&in, k)                               noted, and false (the light would be wrong:
+ *                                                     19 and 27 refuse such scenes)
  *
  * One place of the ray may lie on several faces: water touches its glass; the bubble touches the
  * ball. A crossing holds them all, and only what is before and behind them all counts, so it does
@@ -20,8 +21,8 @@
  *   media_crossing_add(&c, k, +1)                     a face of k, from outside to inside; -1: out
  *   before = media_before(in, &c)                     `in`, and what is left without having been
  *                                                     entered: the ray began in there
- *   after = before, media_cross(&after, &c)           what is behind it
- *   media_begin(&in, &c)                              `in` becomes `before`, where it lies
+ *   after = before, media_cross(&after, &c)           what is behind it; false: no room
+ *   media_begin(&in, &c)                              `in` becomes `before`, where it lies; same
  *   from = media_fills(m, &before), to = media_fills(m, &after);     from == to: no interface
  *
  * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
@@ -85,9 +86,12 @@ static inline bool media_has(const media_set *s, uint32_t body)
     return false;
 }
 
-static inline void media_enter(media_set *s, uint32_t body)
+static inline bool media_enter(media_set *s, uint32_t body)
 {
-    if (s->n < media_most && !media_has(s, body)) s->body[s->n++] = body;
+    if (media_has(s, body)) return true;
+    if (s->n == media_most) return false;
+    s->body[s->n++] = body;
+    return true;
 }
 
 static inline void media_leave(media_set *s, uint32_t body)
@@ -113,21 +117,25 @@ static inline bool media_crossing_add(media_crossing *c, uint32_t body, int sign
     return true;
 }
 
-static inline void media_begin(media_set *in, const media_crossing *c)
+static inline bool media_begin(media_set *in, const media_crossing *c)
 {
     for (const media_face *f = c->face; f < c->face + c->n; f++) {
-        if (!f->out || f->in || media_has(in, f->body) || in->n == media_most) continue;
+        if (!f->out || f->in || media_has(in, f->body)) continue;
+        if (in->n == media_most) return false;
         for (uint32_t j = in->n++; j > 0; j--) in->body[j] = in->body[j - 1];
         in->body[0] = f->body;  /* longest of all in there: the outermost */
     }
+    return true;
 }
 
-static inline void media_cross(media_set *in, const media_crossing *c)
+static inline bool media_cross(media_set *in, const media_crossing *c)
 {
+    bool room = true;
     for (const media_face *f = c->face; f < c->face + c->n; f++)
         if (f->out && !f->in) media_leave(in, f->body);
     for (const media_face *f = c->face; f < c->face + c->n; f++)
-        if (f->in && !f->out) media_enter(in, f->body);
+        if (f->in && !f->out) room &= media_enter(in, f->body);
+    return room;
 }
 
 static inline media_set media_before(media_set in, const media_crossing *c)

@@ -11,6 +11,8 @@
  * (基本辐亮度), is what refraction leaves as it is, and what the tree of rays adds up: n^2 is asked for
  * only where light begins, and at the eye.                                                (19.11)
  *
+ * More bodies than media.h holds end the program: exit 2, a message.
+ *
  * A face with the same medium on both sides is none: whitted_find goes on through it. All that it
  * knows of glass that touches glass is in contact.h, all of nested bodies in media.h; p.left is
  * what the media on the way did not absorb (19.9).
@@ -115,7 +117,10 @@ static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit 
         media_crossing_add(&c, p->m->body, vdot(s.n, b->r.d) < 0 ? 1 : -1);
         if (!w->apart) p->more = contact_find(t, b->r, *x, &s, &p->m, &p->room, &c);
         if (p->m->body) {
-            media_begin(&b->in, &c), p->after = b->in, media_cross(&p->after, &c);
+            bool room = media_begin(&b->in, &c);
+            p->after = b->in;
+            if (!room || !media_cross(&p->after, &c))
+                die(2, "more than %d bodies of glass lie around one another", media_most);
             p->beyond = media_fills(w->media, &p->after);
         }
     }
