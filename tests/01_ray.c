@@ -325,19 +325,8 @@ static void test_no_unit(void)
 
 int main(void)
 {
-    test_first();
-    test_no_unit();
-    test_error_bounds();
-    test_ends();
-    test_error_at_one();
-    test_form_far_out();
-    test_float_staircase();
-    test_interval();
-    test_unit();
-    test_shadow();
-    test_closest();
-    test_affine();
-    test_instance_keeps_t();
-    test_layout();
-    return check_report("01_ray");
+    return check_all("01_ray", test_first, test_no_unit, test_error_bounds, test_ends,
+                     test_error_at_one, test_form_far_out, test_float_staircase, test_interval,
+                     test_unit, test_shadow, test_closest, test_affine, test_instance_keeps_t,
+                     test_layout);
 }

@@ -93,8 +93,5 @@ static void test_up_along_the_view(void)
 
 int main(void)
 {
-    test_views();
-    test_rays();
-    test_up_along_the_view();
-    return check_report("02_first");
+    return check_all("02_first", test_views, test_rays, test_up_along_the_view);
 }

@@ -640,20 +640,8 @@ static void test_first_degenerate(void)
 
 int main(void)
 {
-    test_first_normal();
-    test_first_far_away();
-    test_first_degenerate();
-    test_one_root();
-    test_closed_form();
-    test_interval();
-    test_integers();
-    test_exact_tangents();
-    test_distance();
-    test_on_the_surface();
-    test_extreme_sizes();
-    test_passes_nearby();
-    test_degenerate();
-    test_constants();
-    test_easy_rays();
-    return check_report("03_sphere");
+    return check_all("03_sphere", test_first_normal, test_first_far_away, test_first_degenerate,
+                     test_one_root, test_closed_form, test_interval, test_integers,
+                     test_exact_tangents, test_distance, test_on_the_surface, test_extreme_sizes,
+                     test_passes_nearby, test_degenerate, test_constants, test_easy_rays);
 }

@@ -592,25 +592,10 @@ static void test_first_no_area(void)
 
 int main(void)
 {
-    test_sliver_normals();
-    test_first_planes();
-    test_first_points();
-    test_first_no_area();
-    test_plane();
-    test_plane_far_away();
-    test_exact_hits();
-    test_border_is_inside();
-    test_easy_rays();
-    test_forms_agree();
-    test_needles();
-    test_no_area_no_hit();
-    test_rounded_edges();
-    test_edge_on();
-    test_no_nan();
-    test_exact_signs();
-    test_edge_functions_are_antisymmetric();
-    test_normals();
-    test_barycentrics();
-    test_flattened();
-    return check_report("04_triangle");
+    return check_all("04_triangle", test_sliver_normals, test_first_planes, test_first_points,
+                     test_first_no_area, test_plane, test_plane_far_away, test_exact_hits,
+                     test_border_is_inside, test_easy_rays, test_forms_agree, test_needles,
+                     test_no_area_no_hit, test_rounded_edges, test_edge_on, test_no_nan,
+                     test_exact_signs, test_edge_functions_are_antisymmetric, test_normals,
+                     test_barycentrics, test_flattened);
 }

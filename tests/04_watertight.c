@@ -215,13 +215,8 @@ static void test_icosphere(void)
 
 int main(void)
 {
-    test_icosphere();
-    test_no_slip_at_any_translation();
-    test_no_slip_at_any_size();
-    test_no_slip_between_slivers();
-    test_no_slip_between_spikes();
-    test_no_slip_on_a_lattice();
-    test_random_rays_show_nothing();
-    test_naive_forms_slip();
-    return check_report("04_watertight");
+    return check_all("04_watertight", test_icosphere, test_no_slip_at_any_translation,
+                     test_no_slip_at_any_size, test_no_slip_between_slivers,
+                     test_no_slip_between_spikes, test_no_slip_on_a_lattice,
+                     test_random_rays_show_nothing, test_naive_forms_slip);
 }

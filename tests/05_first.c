@@ -140,11 +140,6 @@ static void test_degenerate(void)
 
 int main(void)
 {
-    test_normal();
-    test_heart();
-    test_steps();
-    test_easy();
-    test_thin();
-    test_degenerate();
-    return check_report("05_first");
+    return check_all("05_first", test_normal, test_heart, test_steps, test_easy, test_thin,
+                     test_degenerate);
 }

@@ -577,21 +577,9 @@ static void test_sine_of_a_number(void)
 
 int main(void)
 {
-    test_closed_form();
-    test_intervals();
-    test_crests_far_away();
-    test_sine_of_a_number();
-    test_strange_intervals();
-    test_surfaces();
-    test_double_points();
-    test_newton();
-    test_nothing_missed();
-    test_tangents();
-    test_all_roots();
-    test_tracing();
-    test_middle();
-    test_strange_functions();
-    test_strange_rays();
-    test_invariants();
-    return check_report("05_implicit");
+    return check_all("05_implicit", test_closed_form, test_intervals, test_crests_far_away,
+                     test_sine_of_a_number, test_strange_intervals, test_surfaces,
+                     test_double_points, test_newton, test_nothing_missed, test_tangents,
+                     test_all_roots, test_tracing, test_middle, test_strange_functions,
+                     test_strange_rays, test_invariants);
 }

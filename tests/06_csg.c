@@ -1087,32 +1087,11 @@ static void test_hostile_texts(void)
 
 int main(void)
 {
-    test_merge();
-    test_random_trees();
-    test_random_points();
-    test_normals();
-    test_algebra();
-    test_coincident_faces();
-    test_one_plane();
-    test_mesh_faces();
-    test_along_faces();
-    test_named_plane();
-    test_shared_triangles();
-    test_mesh_edges();
-    test_mesh_kinds();
-    test_bounds();
-    test_bounds_from_afar();
-    test_bounds_of_planes();
-    test_planes_climbed_to();
-    test_flat_on_faces();
-    test_interval();
-    test_ways();
-    test_strange_solids();
-    test_strange_rays();
-    test_refused_steps();
-    test_depth();
-    test_expressions();
-    test_expression_means();
-    test_hostile_texts();
-    return check_report("06_csg");
+    return check_all("06_csg", test_merge, test_random_trees, test_random_points, test_normals,
+                     test_algebra, test_coincident_faces, test_one_plane, test_mesh_faces,
+                     test_along_faces, test_named_plane, test_shared_triangles, test_mesh_edges,
+                     test_mesh_kinds, test_bounds, test_bounds_from_afar, test_bounds_of_planes,
+                     test_planes_climbed_to, test_flat_on_faces, test_interval, test_ways,
+                     test_strange_solids, test_strange_rays, test_refused_steps, test_depth,
+                     test_expressions, test_expression_means, test_hostile_texts);
 }

@@ -284,14 +284,6 @@ static void normals_and_points(void)
 
 int main(void)
 {
-    closed_forms();
-    degenerate();
-    against_the_oracle();
-    tangents();
-    naive_fails();
-    scales();
-    tangent_planes();
-    always_on_the_side();
-    normals_and_points();
-    return check_report("07_cone");
+    return check_all("07_cone", closed_forms, degenerate, against_the_oracle, tangents, naive_fails,
+                     scales, tangent_planes, always_on_the_side, normals_and_points);
 }

@@ -495,18 +495,7 @@ static void open_mesh(void)
 
 int main(void)
 {
-    closest_of_many();
-    bounds();
-    bounds_climbed_to();
-    hits_are_within_bounds();
-    ties();
-    meshes();
-    stops_between_rays();
-    solid_angles();
-    winding_turns();
-    lattice();
-    aimed();
-    votes_are_aimed();
-    open_mesh();
-    return check_report("07_mesh");
+    return check_all("07_mesh", closest_of_many, bounds, bounds_climbed_to, hits_are_within_bounds,
+                     ties, meshes, stops_between_rays, solid_angles, winding_turns, lattice, aimed,
+                     votes_are_aimed, open_mesh);
 }

@@ -174,9 +174,5 @@ static void test_broken(void)
 
 int main(void)
 {
-    test_keys();
-    test_forms();
-    test_notes();
-    test_broken();
-    return check_report("07_mtl");
+    return check_all("07_mtl", test_keys, test_forms, test_notes, test_broken);
 }

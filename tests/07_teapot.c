@@ -263,10 +263,5 @@ static void test_outwards(void)
 
 int main(void)
 {
-    test_counts();
-    test_box();
-    test_patches();
-    test_seams();
-    test_outwards();
-    return check_report("07_teapot");
+    return check_all("07_teapot", test_counts, test_box, test_patches, test_seams, test_outwards);
 }

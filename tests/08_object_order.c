@@ -496,17 +496,7 @@ static void test_behind(void)
 
 int main(void)
 {
-    test_cover();
-    test_rays();
-    test_planes();
-    test_clip(), test_clip_in_plane();
-    test_depths();
-    test_shadow();
-    test_mirror();
-    test_strange();
-    test_parallel();
-    test_slanted();
-    test_shared();
-    test_behind();
-    return check_report("08_object_order");
+    return check_all("08_object_order", test_cover, test_rays, test_planes, test_clip,
+                     test_clip_in_plane, test_depths, test_shadow, test_mirror, test_strange,
+                     test_parallel, test_slanted, test_shared, test_behind);
 }

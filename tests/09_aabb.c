@@ -432,18 +432,7 @@ static void test_mine(void)
 
 int main(void)
 {
-    test_boxes();
-    test_oracle();
-    test_named_inputs();
-    test_ten_million();
-    test_prepared();
-    test_variants_fail();
-    test_scales();
-    test_infinities();
-    test_interval();
-    test_nan();
-    test_lanes();
-    test_lanes_scales();
-    test_mine();
-    return check_report("09_aabb");
+    return check_all("09_aabb", test_boxes, test_oracle, test_named_inputs, test_ten_million,
+                     test_prepared, test_variants_fail, test_scales, test_infinities, test_interval,
+                     test_nan, test_lanes, test_lanes_scales, test_mine);
 }

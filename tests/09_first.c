@@ -122,10 +122,5 @@ static void test_interval(void)
 
 int main(void)
 {
-    test_easy();
-    test_boxes();
-    test_hair();
-    test_hard();
-    test_interval();
-    return check_report("09_first");
+    return check_all("09_first", test_easy, test_boxes, test_hair, test_hard, test_interval);
 }

@@ -221,12 +221,6 @@ static void test_room(void)
 
 int main(void)
 {
-    test_full_mantissa();
-    test_triangle_in_its_box();
-    test_volumes();
-    test_known_volumes();
-    test_volumes_touched();
-    test_delta();
-    test_room();
-    return check_report("09_shapes");
+    return check_all("09_shapes", test_full_mantissa, test_triangle_in_its_box, test_volumes,
+                     test_known_volumes, test_volumes_touched, test_delta, test_room);
 }

@@ -254,10 +254,6 @@ static void test_degenerate(void)
 
 int main(void)
 {
-    test_easy();
-    test_closed_forms();
-    test_acne();
-    test_leak();
-    test_degenerate();
-    return check_report("18_first");
+    return check_all("18_first", test_easy, test_closed_forms, test_acne, test_leak,
+                     test_degenerate);
 }

@@ -353,14 +353,6 @@ static void test_rooms(void)
 
 int main(void)
 {
-    test_default();
-    test_others_fail();
-    test_bounds();
-    test_named();
-    test_owed();
-    test_needles();
-    test_skip();
-    test_between();
-    test_rooms();
-    return check_report("18_leave");
+    return check_all("18_leave", test_default, test_others_fail, test_bounds, test_named, test_owed,
+                     test_needles, test_skip, test_between, test_rooms);
 }

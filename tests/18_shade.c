@@ -639,18 +639,7 @@ static void test_floor(void)
 
 int main(void)
 {
-    test_facing();
-    test_trace();
-    test_other();
-    test_light();
-    test_contact();
-    test_shade();
-    test_smooth();
-    test_spent();
-    test_masks();
-    test_printed();
-    test_sight();
-    test_terminator();
-    test_floor();
-    return check_report("18_shade");
+    return check_all("18_shade", test_facing, test_trace, test_other, test_light, test_contact,
+                     test_shade, test_smooth, test_spent, test_masks, test_printed, test_sight,
+                     test_terminator, test_floor);
 }

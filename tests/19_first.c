@@ -179,10 +179,6 @@ static void test_touching(void)
 
 int main(void)
 {
-    test_laws();
-    test_two_balls();
-    test_depth();
-    test_nearly_equal();
-    test_touching();
-    return check_report("19_first");
+    return check_all("19_first", test_laws, test_two_balls, test_depth, test_nearly_equal,
+                     test_touching);
 }

@@ -759,23 +759,8 @@ static void test_loops(void)
 
 int main(void)
 {
-    test_loops();
-    test_ball();
-    test_hall();
-    test_furnace();
-    test_squeeze();
-    test_smoothed();
-    test_smoothed_glass();
-    test_touching();
-    test_nested();
-    test_on_table();
-    test_touch();
-    test_reach();
-    test_inside();
-    test_looks();
-    test_too_many();
-    test_called_for();
-    test_spend_all();
-    test_cut();
-    return check_report("19_whitted");
+    return check_all("19_whitted", test_loops, test_ball, test_hall, test_furnace, test_squeeze,
+                     test_smoothed, test_smoothed_glass, test_touching, test_nested, test_on_table,
+                     test_touch, test_reach, test_inside, test_looks, test_too_many,
+                     test_called_for, test_spend_all, test_cut);
 }

@@ -528,16 +528,7 @@ static void test_naive(void)
 
 int main(void)
 {
-    test_reciprocity();
-    test_closed_forms();
-    test_energy();
-    test_sampling();
-    test_weights();
-    test_estimates();
-    test_reference();
-    test_extremes();
-    test_nothing();
-    test_only_what_is_called_for();
-    test_naive();
-    return check_report("23_brdf");
+    return check_all("23_brdf", test_reciprocity, test_closed_forms, test_energy, test_sampling,
+                     test_weights, test_estimates, test_reference, test_extremes, test_nothing,
+                     test_only_what_is_called_for, test_naive);
 }

@@ -187,12 +187,6 @@ static void test_nonsense(void)
 
 int main(void)
 {
-    test_value();
-    test_albedo();
-    test_reflection();
-    test_even();
-    test_slant();
-    test_digits();
-    test_nonsense();
-    return check_report("23_first");
+    return check_all("23_first", test_value, test_albedo, test_reflection, test_even, test_slant,
+                     test_digits, test_nonsense);
 }

@@ -238,11 +238,6 @@ static void test_ends(void)
 
 int main(void)
 {
-    test_reciprocity();
-    test_sampling();
-    test_weights();
-    test_energy();
-    test_smooth();
-    test_ends();
-    return check_report("23_rough_glass");
+    return check_all("23_rough_glass", test_reciprocity, test_sampling, test_weights, test_energy,
+                     test_smooth, test_ends);
 }

@@ -6,6 +6,7 @@
  *       check_at_most(error, 4 * eps, "hit point off the sphere");
  *       return check_report("03_sphere");          prints "03_sphere: 12 passed, 0 failed"
  *   }
+ *   int main(void) { return check_all("03_sphere", test_hits, test_normals, ..); }   of functions
  *
  * check_count(n) is an eighth of n, so that `make test` is quick; with CHECK_SOAK=1 in the
  * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
@@ -98,5 +99,13 @@ static inline int check_report(const char *name)
     printf("%s: %d passed, %d failed\n", name, check_passed, check_failed);
     return check_failed != 0;
 }
+
+/* Runs the tests, up to a NULL, and reports. */
+static inline int check_run(const char *name, void (*const *test)(void))
+{
+    for (; *test; test++) (*test)();
+    return check_report(name);
+}
+#define check_all(name, ...) check_run(name, (void (*const[])(void)){__VA_ARGS__, NULL})
 
 #endif
