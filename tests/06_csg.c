@@ -641,6 +641,33 @@ static void test_bounds(void)
     check_at_least((double)hits, 0.1 * 40 * (double)n, "the test sees hits");
 }
 
+/* Balls in a row, joined in pairs of pairs: a ray across asks the one that it comes near, and some
+ * boxes for each of the tree's ten levels. */
+static void test_bounds_spare(void)
+{
+    enum { balls = 1024 };
+    csg_expression e = {.solids = balls};
+    hit h;
+    e.solid = allocate(balls, sizeof *e.solid), e.step = allocate(2 * balls, sizeof *e.step);
+    for (size_t i = 0; i < balls; i++) {
+        e.solid[i] = csg_sphere(vec((double)i, 0, 0), 0.6);
+        e.step[e.steps++] = (csg_step){CSG_SOLID, (uint32_t)i};
+        for (size_t j = i + 1; j % 2 == 0; j /= 2) e.step[e.steps++].what = CSG_UNION;
+    }
+    csg c = built(csg_expression_model(&e), false);
+    size_t n = check_count(8000), met = 0;
+    csg_asked.solids = csg_asked.bounds = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(24, i, 0);
+        vec3 at = {balls * random_next(&s), 0, 0}, jitter = random_in_cube(&s, 1);
+        met += csg_hit(&c, ray_from(vadd(at, vec(0, 0, 4)), vadd(jitter, vec(0, 0, -4))), &h);
+    }
+    check_at_most((double)csg_asked.solids, 1.1 * (double)n, "balls of 1024 that a ray asks");
+    check_at_most((double)csg_asked.bounds, 16 * (double)n, "and boxes");
+    check_at_least((double)met, 0.4 * (double)n, "the test sees hits");
+    csg_free(&c), csg_expression_free(&e);
+}
+
 /* From afar, along an axis or anyhow, past a corner of a box by some roundings of the way: what the
  * box reports there, by rounding, its bounds must not take away. Turned boxes, and askew ones. */
 static void test_bounds_from_afar(void)
@@ -1090,8 +1117,9 @@ int main(void)
     return check_all("06_csg", test_merge, test_random_trees, test_random_points, test_normals,
                      test_algebra, test_coincident_faces, test_one_plane, test_mesh_faces,
                      test_along_faces, test_named_plane, test_shared_triangles, test_mesh_edges,
-                     test_mesh_kinds, test_bounds, test_bounds_from_afar, test_bounds_of_planes,
-                     test_planes_climbed_to, test_flat_on_faces, test_interval, test_ways,
-                     test_strange_solids, test_strange_rays, test_refused_steps, test_depth,
-                     test_expressions, test_expression_means, test_hostile_texts);
+                     test_mesh_kinds, test_bounds, test_bounds_spare, test_bounds_from_afar,
+                     test_bounds_of_planes, test_planes_climbed_to, test_flat_on_faces,
+                     test_interval, test_ways, test_strange_solids, test_strange_rays,
+                     test_refused_steps, test_depth, test_expressions, test_expression_means,
+                     test_hostile_texts);
 }

@@ -19,7 +19,7 @@ int main(int argc, char **argv)
     csg_scene_free(&s);
     if (!o.out && !o.own) csg_draw_pocket(&o), csg_draw_tree(&o);
     if (!o.out && !o.own && (o.full || o.quick)) csg_draw_inside(&o);
-    csg_main_table(&o), csg_savings_table(&o);
+    csg_main_table(&o);
     if (o.full) csg_tolerance_plot(&o);
     return output_done(&o);
 }

@@ -50,6 +50,6 @@ int main(int argc, char **argv)
     draw_wavefronts(&o);
     draw_critical(&o);
     table_of_depths(&o);
-    if (o.full) draw_depths(&o), table_of_first(&o);
+    if (o.full) table_of_first(&o);
     return output_done(&o);
 }

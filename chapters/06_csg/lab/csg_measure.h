@@ -1,7 +1,6 @@
 /* csg_measure.h: the tables and plots of this chapter.
  *
  *   csg_main_table(&o)       what each way gets wrong, and its time
- *   csg_savings_table(&o)    how many solids a ray asks
  *   csg_tolerance_plot(&o)   tolerances from 1e-12 to 1
  */
 #ifndef CSG_MEASURE_H
@@ -86,61 +85,6 @@ static inline void csg_main_table(const options *o)
     }
     output_table(o, &t);
     for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
-}
-
-/* ---- what bounds save ---- */
-
-/* n balls [a power of two] in a cube, in pairs of pairs. The bits of i halve the cube along x, y, z
- * in turn, chance does the rest: neighbours in number are neighbours in space, and the bounds of
- * pairs of pairs are small. */
-static inline csg_expression csg_balls(size_t n)
-{
-    csg_expression e = {.solids = n};
-    e.solid = allocate(n, sizeof *e.solid), e.step = allocate(2 * n, sizeof *e.step);
-    for (size_t i = 0; i < n; i++) {
-        random_stream x = random_start(7, i, 0);
-        vec3 at = {0, 0, 0}, half = {1, 1, 1};
-        int k = 0;
-        for (size_t bit = n / 2; bit > 0; bit /= 2, k = (k + 1) % 3) {
-            real h = vaxis(half, k) / 2;
-            half = vwith(half, k, h), at = vwith(at, k, vaxis(at, k) + (i & bit ? h : -h));
-        }
-        e.solid[i] = csg_sphere(vadd(at, vmul(half, random_in_cube(&x, 1))),
-                                pow((real)n, (real)(-1 / 3.0)) / 2);
-        e.step[e.steps++] = (csg_step){CSG_SOLID, (uint32_t)i};
-        for (size_t j = i + 1; j % 2 == 0; j /= 2) e.step[e.steps++].what = CSG_UNION;
-    }
-    return e;
-}
-
-/* Rays from around (1, 1.5, 4) to the cube of side 2; without and with bounds. */
-static inline void csg_savings_table(const options *o)
-{
-    static ray r[csg_timed];
-    table t = table_new("Solids of 1024 balls that a ray asks", "tree|solids|boxes|time [ns]");
-    csg_scene balls = csg_scene_built(csg_balls(1024));
-    csg c[2] = {balls.c, balls.c};
-    csg_timing x[2];
-    double ns[2];
-    const size_t few = 64;
-    hit h;
-    for (size_t i = 0; i < csg_timed; i++) {
-        random_stream s = random_start(o->seed, i, 99);
-        vec3 eye = vadd(vec(1, 1.5, 4), random_in_cube(&s, (real)0.5));
-        r[i] = ray_from(eye, vsub(random_in_cube(&s, 1), eye));
-    }
-    c[0].no_bounds = true;
-    for (int k = 0; k < 2; k++) x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
-    bench_each(csg_time_run, x, sizeof *x, 2, csg_rounds(o), 1e9 / (double)few, ns);
-    for (int k = 0; k < 2; k++) {
-        csg_asked.solids = csg_asked.bounds = 0;
-        for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);
-        table_text(&t, k ? "with bounds" : "no bounds");
-        table_number(&t, (double)csg_asked.solids / csg_timed);
-        table_number(&t, (double)csg_asked.bounds / csg_timed), table_number(&t, ns[k]);
-    }
-    csg_scene_free(&balls);
-    output_extra_table(o, &t);
 }
 
 /* ---- with --full ---- */

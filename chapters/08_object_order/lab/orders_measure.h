@@ -2,7 +2,7 @@
  * ray through its middle, which is watertight and rounds nothing to a grid.
  *
  *   orders_measure(&o)       the main table: pixels that differ, time
- *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
+ *   orders_times(&o)         a plot: both orders against the number of triangles (--full)
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
  */
 #ifndef ORDERS_MEASURE_H
@@ -82,9 +82,6 @@ static inline void orders_measure(const options *o)
 static inline void orders_times(const options *o)
 {
     static const int cells[6] = {1, 2, 4, 8, 16, 32};
-    table t = table_new("Time of both orders, 640 x 480 pixels",
-                        "triangles|pixels asked a triangle|"
-                        "covered a pixel|time: object order [ms]|time: rays [ms]|time: ratio");
     plot p = plot_new("The two orders, no structure, 640 x 480 pixels", "triangles", "time [ms]",
                       PLOT_LOG_X | PLOT_LOG_Y);
     enum { nx = 640, ny = 480, n = nx * ny };
@@ -97,17 +94,10 @@ static inline void orders_times(const options *o)
         orders_way way[2] = {{&m, c, nx, ny, 8, 0, 0}, {&m, c, few, few * 3 / 4, -1, 0, 0}};
         double ms[2];
         bench_each(orders_once, way, sizeof *way, 2, 3, 1e3, ms);
-        raster s = orders_by(&way[0]);
-        ms[1] *= (double)n / (few * (few * 3 / 4));
-        table_count(&t, m.triangles);
-        table_number(&t, (double)s.asked / (double)m.triangles);
-        table_number(&t, (double)s.covered / n);
-        table_number(&t, ms[0]), table_number(&t, ms[1]), table_number(&t, ms[1] / ms[0]);
         plot_add(&p, drawn, (double)m.triangles, ms[0]);
-        plot_add(&p, rays, (double)m.triangles, ms[1]);
-        raster_free(&s), mesh_free(&m);
+        plot_add(&p, rays, (double)m.triangles, ms[1] * n / (few * (few * 3 / 4)));
+        mesh_free(&m);
     }
-    output_extra_table(o, &t);
     output_plot(o, &p, "08_object_order_time.svg");
 }
 

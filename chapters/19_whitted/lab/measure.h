@@ -9,6 +9,7 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "first_world.h"
+#include "../scenes/forty.h"
 #include "pictures.h"
 
 /* ---------------------------------------------------------------------------------------------- */

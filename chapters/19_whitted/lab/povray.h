@@ -10,6 +10,7 @@
 #define WHITTED_LAB_POVRAY_H
 
 #include "../../../common/file.h"
+#include "../scenes/forty.h"
 #include "pictures.h"
 #include <time.h>
 
