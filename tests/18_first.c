@@ -2,71 +2,49 @@
  * where it makes acne, and that leave.h does neither. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/18_shade/first.h"
-#include "../chapters/18_shade/shade.h"
+#include "../chapters/19_whitted/lab/first_world.h"
 
 static const double ulp = (double)real_epsilon;
 static const vec3 sky = {(real)0.25, (real)0.4, (real)0.7}, ambient = {(real)0.1, (real)0.2, 1};
-enum { balls = 5, shapes = balls + 2 };
+enum { balls = 5 };
 
-/* The same things for both: five balls over a floor, a parallelogram here, two triangles there. */
+/* The same things for both: five balls over a floor, as first.h has them and as 19's stage has. */
 typedef struct {
     first_scene s;
-    shape shape[shapes];
-    material look[shapes];
-    light light[2];
-    scene scene;
-    world_part part;
-    trace_world world;
+    first_world *world;
     shading how;
 } both;
 
-static material both_look(const void *context, trace_hit x, const surface *s)
+static material both_look(const void *world, trace_hit x, const surface *s)
 {
-    (void)s;
-    return ((const both *)context)->look[x.h.shape];
-}
-
-static void both_light(both *x, vec3 p, vec3 intensity)
-{
-    x->light[x->s.lights] = (light){LIGHT_POINT, p, intensity};
-    x->s.light[x->s.lights++] = (first_light){p, intensity};
+    whitted_material room;
+    return first_world_look(world, x, s, &room)->base;
 }
 
 /* All of it moved by `far` along each axis. */
 static void both_build(both *x, real far)
 {
     vec3 by = {far, far, far}, a = {24, 0, 0}, b = {0, 0, -24};
-    vec3 corner = vadd(by, vec(-12, -0.1, 12));
-    first_material clay = {.kd = vec(0.75, 0.7, 0.62), .ke = vec(0, 0.1, 0)};
     *x = (both){.s = {.ambient = ambient, .above = sky, .below = sky, .eps = (real)1e-4}};
-    first_add_flat(&x->s, corner, a, b, clay);
-    vec3 q[4] = {corner, vadd(corner, a), vadd(vadd(corner, a), b), vadd(corner, b)};
-    for (int k = 0; k < 2; k++) {
-        x->shape[k] = shape_of_triangle((triangle){q[0], q[k + 1], q[k + 2]});
-        x->look[k] = (material){clay.kd, {0, 0, 0}, 1, clay.ke};
-    }
+    first_add_flat(&x->s, vadd(by, vec(-12, -0.1, 12)), a, b,
+                   (first_material){.kd = vec(0.75, 0.7, 0.62), .ke = vec(0, 0.1, 0)});
     for (int i = 0; i < balls; i++) {
         real angle = 2 * pi * (real)i / balls, R = (real)(6 + i) / 8;
         vec3 c = vadd(by, (vec3){2 * cos(angle), R + (real)0.125, 2 * sin(angle)});
-        first_material m = {.kd = vec(0.5, 0.1 * i, 0.3), .ks = vec(0.5, 0.4, 0.3),
-                            .shine = (real)(10 << i)};
-        first_add_ball(&x->s, c, R, m);
-        x->shape[i + 2] = shape_of_sphere((sphere){c, R});
-        x->look[i + 2] = (material){m.kd, m.ks, m.shine, m.ke};
+        first_add_ball(&x->s, c, R, (first_material){.kd = vec(0.5, 0.1 * i, 0.3),
+                                                     .ks = vec(0.5, 0.4, 0.3),
+                                                     .shine = (real)(10 << i)});
     }
-    both_light(x, vadd(by, vec(-5, 9, 6)), vec(330, 300, 250));
-    both_light(x, vadd(by, vec(8, 5, 4)), vec(30, 50, 90));
-    x->scene = (scene){x->shape, shapes};
-    world_part_of_scene(&x->scene, MASK_ALL, &x->part);
-    x->world = (trace_world){&x->part, 1};
-    x->how = (shading){.lights = x->light, .n = 2, .material_of = both_look, .context = x,
-                       .background = sky, .ambient = ambient};
+    x->s.light[x->s.lights++] = (first_light){vadd(by, vec(-5, 9, 6)), vec(330, 300, 250)};
+    x->s.light[x->s.lights++] = (first_light){vadd(by, vec(8, 5, 4)), vec(30, 50, 90)};
+    x->world = first_world_new(&x->s, 1);
+    x->how = (shading){.lights = x->world->on.light, .n = 2, .material_of = both_look,
+                       .context = x->world, .background = sky, .ambient = ambient};
 }
 
 static vec3 full_trace(const both *x, ray r)
 {
-    tracer t = {.w = &x->world, .program = shade_programs, .user = &x->how};
+    tracer t = {.w = &x->world->on.world, .program = shade_programs, .user = &x->how};
     return shade_ray(&t, r);
 }
 
@@ -120,7 +98,7 @@ static void test_easy(void)
     for (int k = 0; k < 3; k++)
         check_at_least(lit[k], asked / 100, "see sky, balls, floor: %d", k);
     check_at_most(worst, 5e4 * ulp, "radiance of first_trace against shade.h's");
-    world_part_free(&x.part);
+    first_world_free(x.world);
 }
 
 /* What shade.h has no word for: the sky's two colours, dark squares, the side that is seen. */
@@ -170,7 +148,7 @@ static wrong_count acne(real far, real e)
         c.first += !(apart(first_trace(&x.s, r), expected) < most);
         c.full += !(apart(full_trace(&x, r), expected) < most);
     }
-    world_part_free(&x.part), world_part_free(&home.part);
+    first_world_free(x.world), first_world_free(home.world);
     return c;
 }
 
