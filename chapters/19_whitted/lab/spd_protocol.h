@@ -27,7 +27,6 @@
 enum { spd_depth = 5 };
 
 typedef struct { const world *w; trace_world world; int edge; trace_counts *row; } spd_work;
-typedef struct { ray r; int depth; ray_kind kind; } spd_branch;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -35,42 +34,36 @@ static const ray_program spd_programs[ray_kinds] = {
     [RAY_CAMERA] = {.mask = MASK_SEEN}, [RAY_SHADOW] = {.mask = MASK_SHADOW, .first = true},
     [RAY_REFLECTION] = {.mask = MASK_SEEN}, [RAY_REFRACTION] = {.mask = MASK_SEEN}};
 
-/* The branches of a hit; at the last depth none. */
-static inline int spd_children(const spd_branch *b, const finish *f, const surface *s,
-                               bool entering, spd_branch out[2])
+/* Is d refracted, along *w? *mirrors: is it reflected, too, or instead? */
+static inline bool spd_bends(const finish *f, const surface *s, vec3 d, bool entering, vec3 *w,
+                             bool *mirrors)
 {
-    int n = 0, depth = b->depth + 1;
     snell x;
-    vec3 d = b->r.d, up = s->n, down = vneg(up);
     real ior = f->ior > 0 ? f->ior : 1;
-    if (depth > spd_depth) return 0;
     bool clear = f->transmit > 0;
-    bool bends = clear && snell_of(d, up, entering ? 1 : ior, entering ? ior : 1, &x);
-    if (bends)
-        out[n++] = (spd_branch){{leave_point(*s, down, 0), 0, snell_refract(&x, d, up),
-                                 real_infinity}, depth, RAY_REFRACTION};
-    if (f->ks > 0 || (clear && !bends))
-        out[n++] = (spd_branch){{leave_point(*s, up, 0), 0, reflect(d, up), real_infinity}, depth,
-                                RAY_REFLECTION};
-    return n;
+    bool bends = clear && snell_of(d, s->n, entering ? 1 : ior, entering ? ior : 1, &x);
+    if (bends) *w = snell_refract(&x, d, s->n);
+    *mirrors = f->ks > 0 || (clear && !bends);
+    return bends;
 }
 
-static inline void spd_eye_ray(tracer *t, const world *w, ray r)
+static inline void spd_trace(tracer *t, const world *w, ray_kind kind, ray r, int depth)
 {
-    spd_branch stack[spd_depth + 2] = {{ray_unit(r), 1, RAY_CAMERA}};
-    for (int top = 1; top > 0; ) {
-        spd_branch b = stack[--top];
-        trace_hit x;
-        if (!trace_find(t, b.kind, &b.r, NULL, &x)) continue;
-        surface s = surface_of_trace(t, b.r, x);
-        finish f = world_finish(w, x.h.shape);
-        bool entering = vdot(s.n, b.r.d) < 0;
-        s = surface_facing(s, b.r.d);
-        for (int i = 0; i < w->lights; i++)
-            if (vdot(s.n, vsub(w->light[i], s.p)) > 0)
-                trace(t, RAY_SHADOW, leave_to(s, w->light[i]), NULL);
-        top += spd_children(&b, &f, &s, entering, stack + top);
-    }
+    trace_hit x;
+    bool mirrors;
+    if (depth > spd_depth || !trace_find(t, kind, &r, NULL, &x)) return;
+    surface s = surface_of_trace(t, r, x);
+    finish f = world_finish(w, x.h.shape);
+    bool entering = vdot(s.n, r.d) < 0;
+    s = surface_facing(s, r.d);
+    for (int i = 0; i < w->lights; i++)
+        if (vdot(s.n, vsub(w->light[i], s.p)) > 0)
+            trace(t, RAY_SHADOW, leave_to(s, w->light[i]), NULL);
+    ray through = {leave_point(s, vneg(s.n), 0), 0, r.d, real_infinity};
+    ray back = {leave_point(s, s.n, 0), 0, reflect(r.d, s.n), real_infinity};
+    if (spd_bends(&f, &s, r.d, entering, &through.d, &mirrors))
+        spd_trace(t, w, RAY_REFRACTION, through, depth + 1);
+    if (mirrors) spd_trace(t, w, RAY_REFLECTION, back, depth + 1);
 }
 
 static inline void spd_row(size_t j, void *context)
@@ -79,7 +72,7 @@ static inline void spd_row(size_t j, void *context)
     tracer t = {.w = &k->world, .program = spd_programs};
     for (int i = 0; i <= k->edge; i++) {
         real x = (real)(2 * i) / (real)k->edge - 1, y = 1 - (real)(2 * j) / (real)k->edge;
-        spd_eye_ray(&t, k->w, world_ray(k->w, x, y));
+        spd_trace(&t, k->w, RAY_CAMERA, ray_unit(world_ray(k->w, x, y)), 1);
     }
     k->row[j] = t.counts;
 }
