@@ -9,15 +9,9 @@
 #include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
+#include "bvh_inspect.h"
 #include "check.h"
 #include "wrong_ray.h"
-
-static bvh_mesh made(const mesh *m, bvh_options how)
-{
-    bvh_mesh b;
-    if (!bvh_mesh_build(m, how, &b, NULL)) abort();
-    return b;
-}
 
 /* n triangles (狭长三角形), 4 long and 2 pi / n wide, round an axis at an odd angle, at distance 1:
  * each fills next to nothing of its box. */
@@ -353,47 +347,14 @@ static double cost_of(const bvh_mesh *b)
     return c.nodes + bvh_defaults.item_cost * c.tests;
 }
 
-/* From the root: bounds that fail to contain what they should; triangles seen; the deepest leaf. */
-typedef struct { const bvh_mesh *b; const mesh *m; size_t outside; unsigned char *seen; } look;
-
-static int look_at(look *x, uint32_t at)
-{
-    const bvh_node *node = x->b->tree.node, *n = &node[at];
-    int deepest = 0;
-    for (uint32_t c = n->first; n->count == 0 && c < n->first + 2; c++) {
-        for (int k = 0; k < 3; k++)
-            x->outside += !(n->low[k] <= node[c].low[k]
-                            && box_high(&node[c], k) <= box_high(n, k));
-        int below = 1 + look_at(x, c);
-        deepest = below > deepest ? below : deepest;
-    }
-    for (uint32_t i = n->first; i < n->first + n->count; i++) {
-        uint32_t index = x->b->triangle[i].index;
-        triangle t = mesh_triangle(x->m, index);
-        const vec3 own[3] = {t.a, t.b, t.c};
-        x->seen[index]++;
-        for (int c = 0; c < 3; c++)
-            for (int k = 0; k < 3; k++) {
-                real p = vaxis(own[c], k);
-                x->outside += p != vaxis(x->b->triangle[i].corner[c], k);
-                x->outside += !((real)n->low[k] <= p && p <= (real)box_high(n, k));
-            }
-    }
-    return deepest;
-}
-
 /* Every triangle once, corners where they are now, every box around what it holds. */
 static void check_tree(const bvh_mesh *b, const mesh *m, const char *what)
 {
-    look x = {b, m, 0, allocate(m->triangles, 1)};
-    size_t odd = 0;
-    int deepest = look_at(&x, 0);
-    for (size_t i = 0; i < m->triangles; i++) odd += x.seen[i] != 1;
-    check_equal(x.outside, 0, "%s: boxes hold their children and their triangles of now", what);
-    check_equal(odd, 0, "%s: each triangle in one leaf", what);
-    check_equal(b->tree.depth, deepest, "%s: the depth it says", what);
-    check_at_most(deepest, bvh_most_depth, "%s: a search can remember that", what);
-    free(x.seen);
+    inspection x = inspect(b, m, 255, false);
+    check_equal(x.outside + x.odd, 0, "%s: boxes hold their children and triangles of now", what);
+    check_equal(x.missed, 0, "%s: each triangle in one leaf", what);
+    check_equal(b->tree.depth, x.deepest, "%s: the depth it says", what);
+    check_at_most(x.deepest, bvh_most_depth, "%s: a search can remember that", what);
 }
 
 /* The very hits of a tree built of the same mesh, at rays aimed where trees go wrong. */

@@ -9,6 +9,7 @@
 #include "../common/random.h"
 #include "check.h"
 #include "child.h"
+#include "bvh_inspect.h"
 #include "corner.h"
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -20,13 +21,6 @@ static int rule_number(const char *name) { return (int)(bvh_rule_find(name) - bv
 static bvh_options by_rule(int k, int leaf, double item_cost)
 {
     return (bvh_options){bvh_rules[k].name, leaf, item_cost, SIZE_MAX};
-}
-
-static bvh_mesh made(const mesh *m, bvh_options how)
-{
-    bvh_mesh b;
-    if (!bvh_mesh_build(m, how, &b, NULL)) abort();
-    return b;
 }
 
 /* Triangles of size 1/10 in a cube of half side 1. */
@@ -59,26 +53,12 @@ static void test_beyond(void)
     check_equal(wrong, 0, "float_beyond > x, or leaves the plane out");
 }
 
-/* A box that is a point, which the ray meets: near and far planes may be rounded away from each
- * other, and what is added must be more than that. */
-static void test_corners(void)
+static bool corner_lost(ray r, vec3 c, bool bare)
 {
-    const real far[] = {0, 0.0625, 1000, 1e6};
-    for (int k = 0; k < 4; k++) {
-        size_t lost = 0, lost_naive = 0, rays = check_count(400000);
-        for (size_t i = 0; i < rays; i++) {
-            random_stream g = random_start(82, i, 0);
-            float exit;
-            vec3 c;
-            ray r = corner_ray(&g, far[k], &c);
-            bvh_box box = box_between(c, c);
-            box_ray q = box_ray_of(r, &box, NULL), n = box_ray_naive(r, &box, NULL);
-            lost += box_enter(&box, &q, INFINITY, &exit) > exit;
-            lost_naive += box_enter(&box, &n, INFINITY, &exit) > exit;
-        }
-        check_equal(lost, 0, "corners, %g from 0: %zu rays, lost", (double)far[k], rays);
-        check_at_least(lost_naive, rays / 10, "lost without what is added");
-    }
+    float exit;
+    bvh_box box = box_between(c, c);
+    box_ray q = bare ? box_ray_naive(r, &box, NULL) : box_ray_of(r, &box, NULL);
+    return box_enter(&box, &q, INFINITY, &exit) > exit;
 }
 
 /* What a ray must have to spare in float for the test of 04, in eps D (14.3): 140 for t, 3 for the
@@ -151,45 +131,6 @@ static void test_select(void)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct {
-    const bvh_mesh *b;
-    const mesh *m;
-    unsigned char *seen, *node_seen;
-    size_t outside, overfull, odd, deepest;
-    bool cut;  /* by "spatial": boxes hold parts of triangles; see 14_build */
-} inspection;
-
-static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
-{
-    const bvh_node *n = &x->b->tree.node[at];
-    if (depth > x->deepest) x->deepest = depth;
-    x->odd += x->node_seen[at]++ != 0;
-    if (n->count == 0) {
-        x->odd += n->first % 2 != 0 || n->first < 2 || n->first + 1 >= x->b->tree.nodes;
-        for (size_t c = n->first; c < n->first + 2; c++) {
-            for (int k = 0; k < 3; k++) {
-                const bvh_node *in = &x->b->tree.node[c];
-                x->outside += !(n->low[k] <= in->low[k] && box_high(in, k) <= box_high(n, k));
-            }
-            inspect(x, c, depth + 1, leaf);
-        }
-        return;
-    }
-    x->overfull += n->count > leaf;
-    for (size_t i = n->first; i < n->first + n->count; i++) {
-        uint32_t index = x->b->triangle[i].index;
-        x->seen[index]++;
-        for (int c = 0; c < 3; c++) {
-            vec3 p = x->b->triangle[i].corner[c];
-            vec3 own = x->m->v[x->m->index[3 * index + (uint32_t)c]];
-            x->odd += p.x != own.x || p.y != own.y || p.z != own.z;
-            for (int k = 0; k < 3 && !x->cut; k++)
-                x->outside += !((real)n->low[k] <= vaxis(p, k)
-                                && vaxis(p, k) <= (real)box_high(n, k));
-        }
-    }
-}
-
 static void test_invariants(const char *name, const mesh *m)
 {
     static const int leaves[] = {1, 8, 255};
@@ -197,22 +138,17 @@ static void test_invariants(const char *name, const mesh *m)
         for (int l = 0; l < 3; l++) {
             bvh_options how = by_rule(s, leaves[l], 1);
             bvh_mesh b = made(m, how), again = made(m, how);
-            size_t n = b.tree.nodes, missed = 0, unused = 0;
-            inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0,
-                            bvh_rules[s].through};
-            inspect(&x, 0, 0, (size_t)leaves[l]);
-            for (size_t i = 0; i < m->triangles; i++)
-                missed += x.cut ? x.seen[i] < 1 : x.seen[i] != 1;
-            for (size_t i = 0; i < n; i++) unused += x.node_seen[i] != (i != 1);
-            check_equal(missed, 0, "%s, %s, %d: each triangle in a leaf, uncut in one only",
+            size_t n = b.tree.nodes;
+            inspection x = inspect(&b, m, (size_t)leaves[l], bvh_rules[s].through);
+            check_equal(x.missed, 0, "%s, %s, %d: each triangle in a leaf, uncut in one only",
                         name, bvh_rules[s].name, leaves[l]);
-            check_equal(unused, 0, "%s, %s, %d: each node reached once", name, bvh_rules[s].name,
+            check_equal(x.unused, 0, "%s, %s, %d: each node reached once", name, bvh_rules[s].name,
                         leaves[l]);
             check_equal(x.outside, 0, "%s, %s, %d: boxes hold their children and triangles", name,
                         bvh_rules[s].name, leaves[l]);
             check_equal(x.overfull + x.odd, 0, "%s, %s, %d: leaves not too full, pairs in place",
                         name, bvh_rules[s].name, leaves[l]);
-            check_equal(x.deepest, (size_t)b.tree.depth, "%s: depth as it is", name);
+            check_equal(x.deepest, b.tree.depth, "%s: depth as it is", name);
             check_at_most(b.tree.depth, bvh_most_depth, "%s, %s: depth", name, bvh_rules[s].name);
             check((uintptr_t)b.tree.node % 64 == 0, "a pair of nodes fills one line of the cache");
             check(n == again.tree.nodes
@@ -220,10 +156,10 @@ static void test_invariants(const char *name, const mesh *m)
                   && memcmp(b.triangle, again.triangle, b.tree.items * sizeof *b.triangle) == 0,
                   "%s, %s: built twice, the same bytes", name, bvh_rules[s].name);
             /* An item 32, a record 80, two nodes 64, and 64 for growing; references 8 times 32. */
-            size_t most = x.cut ? 256 * m->triangles + 272 * b.tree.items : 176 * m->triangles;
+            size_t most = bvh_rules[s].through ? 256 * m->triangles + 272 * b.tree.items
+                                               : 176 * m->triangles;
             check_at_most(b.tree.held.peak, most + 4096, "%s, %s, %d: peak memory", name,
                           bvh_rules[s].name, leaves[l]);
-            free(x.seen), free(x.node_seen);
             bvh_mesh_free(&b), bvh_mesh_free(&again);
         }
 }
@@ -532,7 +468,7 @@ int main(void)
                      soup(2)};
     const char *const names[] = {"teapot", "octahedron", "soup", "spiral", "one", "two"};
     test_beyond();
-    test_corners();
+    corner_test(corner_lost);
     test_owed();
     test_select();
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {

@@ -8,9 +8,8 @@
 #include "../chapters/17_compare/lab/sweep.h"
 #include "../chapters/06_csg/lab/csg_oracle.h"
 #include "child.h"
-#include "structure.h"
-
 #include "program.h"
+#include "structure.h"
 
 /* What f wrote so far; for free. */
 static char *written(FILE *f)
@@ -44,6 +43,13 @@ static line_up everybody(void)
     return all;
 }
 
+/* Built, with n rays of a kind. */
+static void begin(comparison *s, const world *w, const line_up *chosen, size_t n)
+{
+    compare_begin(s, w, chosen, (size_t)1 << 30, 1);
+    compare_rays(s, n, 7);
+}
+
 /* Counted searches find the same, and count. */
 static void test_counted(const comparison *s, const compare_entry *e)
 {
@@ -72,8 +78,7 @@ static void test_equality(void)
         world w = tiny(scene_list[k].name);
         FILE *out = tmpfile();
         if (!out) abort();
-        compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-        compare_rays(&s, 144, 7);
+        begin(&s, &w, &all, 144);
         check(s.share == 1, "%s has all rays: %g steps each", w.name, s.work);
         check(compare_prove(&s, SIZE_MAX, check_count(1000), 7, out),
               "%s: all structures agree", w.name);
@@ -217,8 +222,7 @@ static void test_pile(void)
         for (size_t i = 0; i < n; i++)
             set_triangle(&m, i, vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0));
         if (!mesh_world(&w, "pile", m, false, &f)) fail(f);
-        compare_begin(&s, &w, &trees, (size_t)1 << 30, 1);
-        compare_rays(&s, 500, 7);
+        begin(&s, &w, &trees, 500);
         check(compare_prove(&s, 500, 400, 7, stdout), "a pile of %zu: all agree", n);
         size_t rays = s.rays[KIND_PRIMARY].n;
         if (n == 1000) check(rays == 500 && s.by_brute > 400, "a small pile has all its rays");
@@ -239,8 +243,7 @@ static void test_one_slow(void)
     for (int k = 0; k < 2; k++) {
         comparison s;
         line_up some = chosen_of(names[k]);
-        compare_begin(&s, &w, &some, (size_t)1 << 30, 1);
-        compare_rays(&s, 500, 7);
+        begin(&s, &w, &some, 500);
         check((s.share < 1) == (k == 0), "%s: %g steps and tests, share %g", names[k], s.work,
               s.share);
         compare_end(&s);
@@ -279,8 +282,7 @@ static void test_wrong_is_counted(void)
     comparison s;
     world w = tiny("soup");
     line_up all = choose_usual();
-    compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-    compare_rays(&s, 576, 7);
+    begin(&s, &w, &all, 576);
     check(compare_prove(&s, SIZE_MAX, 400, 7, stdout), "the full versions are right");
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
@@ -521,8 +523,7 @@ static void test_unscaled(void)
         world w = tiny(scene_list[k].name);
         FILE *out = tmpfile();
         if (!out) abort();
-        compare_begin(&s, &w, &one, (size_t)1 << 30, 1);
-        compare_rays(&s, 64, 7);
+        begin(&s, &w, &one, 64);
         check(!compare_prove(&s, SIZE_MAX, 400, 7, out), "%s: t unscaled is found out", w.name);
         fclose(out), compare_end(&s), world_free(&w);
     }
@@ -641,8 +642,7 @@ static void test_alone(void)
         line_up some = {.n = 0};
         if (k > 0) choose(&some, &bvh_contender);
         if (k > 1) choose(&some, &grid_contender);
-        compare_begin(&s, &w, &some, (size_t)1 << 30, 1);
-        compare_rays(&s, 64, 7);
+        begin(&s, &w, &some, 64);
         check(compare_prove(&s, SIZE_MAX, 40, 7, stdout), "all right");
         check((s.by_brute > 0) == (k > 0) && (s.proved > s.by_brute) == (k == 2),
               "%d structures: %zu proved, %zu by brute force", k, s.proved, s.by_brute);
@@ -730,8 +730,7 @@ static void test_kept(void)
     line_up one = {.n = 0};
     choose(&one, &bvh_contender);
     measured_scenes m = {.chosen = &one};
-    compare_begin(&s, &w, &one, (size_t)1 << 30, 1);
-    compare_rays(&s, 64, 7);
+    begin(&s, &w, &one, 64);
     cost_measure(&s, 1);
     double seconds = cost_mean(&s, &s.entry[0]);
     const comparison *kept = measured_add(&m, &s);

@@ -7,6 +7,8 @@
  *   mesh m = octahedron_mesh(n)           closed, |x| + |y| + |z| = 1, 8 n^2 triangles,
  *                                         n [1..2000]; corners are multiples of 1/n, exact if n is
  *                                         a power of two
+ *   mesh m = floors_mesh(n)               squares in the planes x, y, z = -1 + 2 i / n:
+ *                                         faces, edges and corners on each other and on dyadic planes
  *
  * Triangles are counter-clockwise seen from outside. mesh_free releases a mesh. Source of the
  * gear: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987.
@@ -14,7 +16,7 @@
 #ifndef MESH_SPECIMENS_H
 #define MESH_SPECIMENS_H
 
-#include "../mesh.h"
+#include "soup.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -99,6 +101,28 @@ static inline mesh octahedron_mesh(int n)
                 size_t before = octahedron_vertex(n, half, ring - 1, inner);
                 specimen_add(&m, half ? next : out, half ? out : next, in);
                 if (s > 0) specimen_add(&m, half ? in : before, out, half ? before : in);
+            }
+    return m;
+}
+
+/* 3 (n + 1) planes of n x n squares each, cut in two: 6 n^2 (n + 1) triangles. */
+static inline mesh floors_mesh(int n)
+{
+    mesh m = mesh_room((size_t)(6 * n * n * (n + 1)));
+    size_t i = 0;
+    for (int k = 0; k < 3; k++)
+        for (int layer = 0; layer <= n; layer++)
+            for (int cell = 0; cell < n * n; cell++) {
+                static const int corner[6] = {0, 1, 2, 0, 2, 3};
+                vec3 q[4];
+                for (int c = 0; c < 4; c++) {
+                    int a = cell % n + (c == 1 || c == 2), b = cell / n + c / 2;
+                    real *p = (real *)&q[c];
+                    p[k] = -1 + 2 * (real)layer / (real)n;
+                    p[(k + 1) % 3] = -1 + 2 * (real)a / (real)n;
+                    p[(k + 2) % 3] = -1 + 2 * (real)b / (real)n;
+                }
+                for (int c = 0; c < 6; c++) m.v[i++] = q[corner[c]];
             }
     return m;
 }

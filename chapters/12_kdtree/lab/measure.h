@@ -7,12 +7,10 @@
 #ifndef KDTREE_MEASURE_H
 #define KDTREE_MEASURE_H
 
+#include "../../07_mesh/scenes/specimens.h"
 #include "../../09_aabb/trials/growth.h"
 #include "../first.h"
 #include "textbook.h"
-
-typedef struct { const char *name; const trial_verbs *verbs; kdtree_options how; bool again; }
-    kdtree_candidate;
 
 TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)
 TRIAL_OTHER(kdtree_textbook, kdtree, kdtree, kdtree_hit_textbook)
@@ -22,29 +20,30 @@ TRIAL_FIRST(first_kdtree, first_kdtree_build(&b->m, &b->s))
 
 TRIAL_OTHER(kdtree_no_delta, kdtree, kdtree, kdtree_hit_no_delta)
 
-#define KDTREE_HOW(strategy, leaf, bonus, clip, planar) \
-    {strategy, leaf, 0, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
+#define KDTREE_HOW(strategy, leaf, bonus, clip, planar)                                          \
+    (&(const kdtree_options){strategy, leaf, 0, kdtree_item_cost, bonus, clip, planar,           \
+                             SIZE_MAX / 4})
 
 /* The first seven are the page's table, 1 to 4 the picture. */
 enum { kdtree_short = 7, kdtree_candidates = 16 };
-static const kdtree_candidate kdtree_candidate_list[kdtree_candidates] = {
-    {"first", &first_kdtree_trial, KDTREE_HOW(KD_MIDDLE, 8, 0, false, KD_BOTH), false},
-    {"middle, 16", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 16, 0, true, KD_THICK), false},
-    {"median, 16", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 16, 0, true, KD_THICK), false},
-    {"SAH, 16", &kdtree_trial, KDTREE_HOW(KD_SAH, 16, 0.1, true, KD_THICK), false},
-    {"SAH, by cost", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_THICK), false},
-    {"no delta", &kdtree_no_delta_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_THICK), true},
-    {"textbook search", &kdtree_textbook_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), false},
-    {"first hit final", &kdtree_final_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), true},
-    {"strict", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), true},
-    {"strict, one side", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_ONE), false},
-    {"middle, 4", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 4, 0, true, KD_THICK), false},
-    {"median, 4", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 4, 0, true, KD_THICK), false},
-    {"SAH, 4", &kdtree_trial, KDTREE_HOW(KD_SAH, 4, 0.1, true, KD_THICK), false},
-    {"by cost, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, false, KD_THICK), false},
-    {"by cost, no bonus", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0, true, KD_THICK), false},
-    {"20 : 15, bonus 0.2", &kdtree_trial,
-     {KD_SAH, 0, 0, 4.0 / 3, 0.2, true, KD_THICK, SIZE_MAX / 4}, false}};
+static const trial_row kdtree_row_list[kdtree_candidates] = {
+    {.name = "first", &first_kdtree_trial, KDTREE_HOW(KD_MIDDLE, 8, 0, false, KD_BOTH)},
+    {.name = "middle, 16", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 16, 0, true, KD_THICK)},
+    {.name = "median, 16", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 16, 0, true, KD_THICK)},
+    {.name = "SAH, 16", &kdtree_trial, KDTREE_HOW(KD_SAH, 16, 0.1, true, KD_THICK)},
+    {.name = "SAH, by cost", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_THICK)},
+    {.name = "no delta", &kdtree_no_delta_trial, .again = true},
+    {.name = "textbook search", &kdtree_textbook_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH)},
+    {.name = "first hit final", &kdtree_final_trial, .again = true},
+    {.name = "strict", &kdtree_strict_trial, .again = true},
+    {.name = "strict, one side", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_ONE)},
+    {.name = "middle, 4", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 4, 0, true, KD_THICK)},
+    {.name = "median, 4", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 4, 0, true, KD_THICK)},
+    {.name = "SAH, 4", &kdtree_trial, KDTREE_HOW(KD_SAH, 4, 0.1, true, KD_THICK)},
+    {.name = "by cost, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, false, KD_THICK)},
+    {.name = "by cost, no bonus", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0, true, KD_THICK)},
+    {.name = "20 : 15, bonus 0.2", &kdtree_trial,
+     &(const kdtree_options){KD_SAH, 0, 0, 4.0 / 3, 0.2, true, KD_THICK, SIZE_MAX / 4}}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -59,11 +58,7 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
     int n = o->full ? kdtree_candidates : kdtree_short;
     char title[160], brief[200];
     trial_row row[kdtree_candidates];
-    for (int i = 0; i < n; i++) {
-        const kdtree_candidate *c = &kdtree_candidate_list[i];
-        row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
-                             .again = c->again};
-    }
+    memcpy(row, kdtree_row_list, sizeof row);
     trials_run(row, n, s, o->quick ? 1 : o->full ? 9 : 3);
     snprintf(brief, sizeof brief, "Where to cut: %s", trial_title(s, title));
     table t = trial_table(brief, row, kdtree_short, s, false, NULL);
@@ -77,33 +72,14 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
 
 /* ---- where textbook searches lose hits ---- */
 
-/* Three planes x, y, z = -1, -1/2, .. 1, of 4 x 4 squares each, cut in two. */
-static inline mesh planes_mesh(void)
-{
-    mesh m = {.vertices = 125, .triangles = 480};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(3 * m.triangles, sizeof *m.index);
-    for (int i = 0; i < 125; i++)
-        m.v[i] = (vec3){(real)(i % 5) / 2 - 1, (real)(i / 5 % 5) / 2 - 1, (real)(i / 25) / 2 - 1};
-    static const uint32_t step[3] = {1, 5, 25};
-    uint32_t *at = m.index;
-    for (int k = 0; k < 3; k++)
-        for (uint32_t i = 0; i < 80; i++) {
-            uint32_t u = step[(k + 1) % 3], v = step[(k + 2) % 3];
-            uint32_t a = i / 16 * step[k] + i % 4 * u + i / 4 % 4 * v;
-            uint32_t corner[6] = {a, a + u, a + u + v, a, a + u + v, a + v};
-            memcpy(at, corner, sizeof corner), at += 6;
-        }
-    return m;
-}
-
-/* Rays on which nothing is rounded, or rays from anywhere at corners. */
-static inline ray_set rays_at_planes(const mesh *m, size_t n, bool dyadic, uint64_t seed)
+/* Rays on which nothing is rounded, or rays from anywhere at corners of floors_mesh(4). */
+static inline ray_set rays_at_planes(size_t n, bool dyadic, uint64_t seed)
 {
     ray_set s = {allocate(n, sizeof(ray)), n};
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 4);
-        vec3 at = m->v[random_next_bits(&g) % m->vertices];
+        uint64_t k = random_next_bits(&g) % 125;
+        vec3 at = {(real)(k % 5) / 2 - 1, (real)(k / 5 % 5) / 2 - 1, (real)(k / 25) / 2 - 1};
         vec3 o = {4 * random_next(&g) - 2, 4 * random_next(&g) - 2, 4 * random_next(&g) - 2};
         s.r[i] = dyadic ? kd_dyadic_ray(&g) : ray_from(o, vsub(at, o));
     }
@@ -124,12 +100,12 @@ static inline void table_of_planes(const options *o)
     size_t wrong[4][4];
     for (int k = 0; k < 4; k++) {
         trial_scene s;
-        kdtree_options how = KDTREE_HOW(KD_MIDDLE, 1, 0, true, k % 2 ? KD_ONE : KD_BOTH);
-        trial_scene_of(planes_mesh(), &s);
-        s.rays[TRIAL_CORNERS] = rays_at_planes(&s.m, n, k < 2, o->seed);
+        const kdtree_options *how = KDTREE_HOW(KD_MIDDLE, 1, 0, true, k % 2 ? KD_ONE : KD_BOTH);
+        trial_scene_of(floors_mesh(4), &s);
+        s.rays[TRIAL_CORNERS] = rays_at_planes(n, k < 2, o->seed);
         trial_due(&s, false);
         for (int i = 0; i < 4; i++) {
-            trial_row r = {.verbs = verbs[i], .how = &how};
+            trial_row r = {.verbs = verbs[i], .how = how};
             trials_run(&r, 1, &s, 1);
             wrong[i][k] = r.wrong;
             trial_end(&r, 1);

@@ -23,7 +23,7 @@ cold_inline bool draw_splits(const options *o, const trial_scene *s, bool z_up, 
     enum { bar = 46 };
     const void *how[4];
     trial_picture p = {.verbs = &kdtree_trial, .most = 120};
-    for (int k = 0; k < 4; k++) how[k] = &kdtree_candidate_list[k + 1].how;
+    for (int k = 0; k < 4; k++) how[k] = kdtree_row_list[k + 1].how;
     bool whole = trial_draw_work(s, p, z_up, 2, how, 4, o->threads, all);
     if (o->own || o->out || all->width < 400) return whole;
     label_titles(all, 2, 2, 0, title), label_below(all, bar);

@@ -20,46 +20,31 @@ TRIAL_OTHER(bsp_naive, bsp, bsp, bsp_hit_naive)
 TRIAL_OTHER(bsp_first_leaf, bsp, bsp, bsp_hit_first)
 TRIAL_FIRST(first_bsp, first_bsp_build(&b->m, &b->s))
 
-typedef struct {
-    const char *name;
-    const trial_verbs *verbs;
-    bsp_rule rule;
-    int candidates;
-    bsp_sides sides;
-    bool again;
-} bsp_candidate;
+/* cost: of a step, in tests; the defaults have 4 and 4.5. */
+#define BSP_COSTING(its_rule, tries, its_sides, axis, slanted)                                  \
+    (&(const bsp_options){.rule = its_rule, .candidates = tries, .sides = its_sides, .leaf = 4, \
+                          .depth = bsp_most_depth, .axis_cost = axis, .slanted_cost = slanted,  \
+                          .seed = 1, .most_bytes = (size_t)1 << 31})
+#define BSP_HOW(rule, candidates, sides) BSP_COSTING(rule, candidates, sides, 4, 4.5)
+#define BSP_MANY(sides) BSP_COSTING(BSP_COST, 16, sides, 0.5, 0.5)  /* many planes */
 
-/* The first seven are the short table. */
-enum { bsp_short = 7, bsp_candidates = 12 };
-static const bsp_candidate bsp_candidate_list[bsp_candidates] = {
-    {"first", &first_bsp_trial, BSP_RANDOM, 1, BSP_SIDES_SAFE, false},
-    {"random", &bsp_trial, BSP_RANDOM, 1, BSP_SIDES_SAFE, false},
-    {"axis", &bsp_trial, BSP_AXIS, 1, BSP_SIDES_SAFE, false},
-    {"cost, 16", &bsp_trial, BSP_COST, 16, BSP_SIDES_SAFE, false},
-    {"not padded", &bsp_naive_trial, BSP_COST, 16, BSP_SIDES_SAFE, true},
-    {"first leaf", &bsp_first_leaf_trial, BSP_COST, 16, BSP_SIDES_SAFE, true},
-    {"sides fixed", &bsp_trial, BSP_COST, 16, BSP_SIDES_FIXED, false},
-    {"fewest of 16", &bsp_trial, BSP_FEWEST, 16, BSP_SIDES_SAFE, false},
-    {"own, 16", &bsp_trial, BSP_OWN, 16, BSP_SIDES_SAFE, false},
-    {"cost, 1", &bsp_trial, BSP_COST, 1, BSP_SIDES_SAFE, false},
-    {"cost, 4", &bsp_trial, BSP_COST, 4, BSP_SIDES_SAFE, false},
-    {"cost, 64", &bsp_trial, BSP_COST, 64, BSP_SIDES_SAFE, false}};
+/* The first seven are the short table. Blind planes make searches slow. */
+enum { bsp_short = 7, bsp_candidates = 12, bsp_slow = 64 };
+static const trial_row bsp_row_list[bsp_candidates] = {
+    {.name = "first", .verbs = &first_bsp_trial},
+    {.name = "random", &bsp_trial, BSP_HOW(BSP_RANDOM, 1, BSP_SIDES_SAFE), .step = bsp_slow},
+    {.name = "axis", &bsp_trial, BSP_HOW(BSP_AXIS, 1, BSP_SIDES_SAFE)},
+    {.name = "cost, 16", &bsp_trial, BSP_HOW(BSP_COST, 16, BSP_SIDES_SAFE)},
+    {.name = "not padded", .verbs = &bsp_naive_trial, .again = true},
+    {.name = "first leaf", .verbs = &bsp_first_leaf_trial, .again = true},
+    {.name = "sides fixed", &bsp_trial, BSP_HOW(BSP_COST, 16, BSP_SIDES_FIXED)},
+    {.name = "fewest of 16", &bsp_trial, BSP_HOW(BSP_FEWEST, 16, BSP_SIDES_SAFE), .step = bsp_slow},
+    {.name = "own, 16", &bsp_trial, BSP_HOW(BSP_OWN, 16, BSP_SIDES_SAFE)},
+    {.name = "cost, 1", &bsp_trial, BSP_HOW(BSP_COST, 1, BSP_SIDES_SAFE)},
+    {.name = "cost, 4", &bsp_trial, BSP_HOW(BSP_COST, 4, BSP_SIDES_SAFE)},
+    {.name = "cost, 64", &bsp_trial, BSP_HOW(BSP_COST, 64, BSP_SIDES_SAFE)}};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline bsp_options bsp_with(bsp_rule rule, int candidates, bsp_sides sides)
-{
-    bsp_options how = bsp_defaults;
-    how.rule = rule, how.candidates = candidates, how.sides = sides;
-    return how;
-}
-
-/* The row of a candidate, and its options, which the row points to. */
-static inline trial_row bsp_row(const bsp_candidate *c, bsp_options *how)
-{
-    *how = bsp_with(c->rule, c->candidates, c->sides);
-    return (trial_row){.name = c->name, .verbs = c->verbs, .how = how, .again = c->again};
-}
 
 static inline void bsp_cells(table *t, const trial_row *r)
 {
@@ -71,7 +56,7 @@ static inline void bsp_cells(table *t, const trial_row *r)
 }
 
 /* Of the trees that are well cut. */
-static inline void plot_of_rules(const options *o, const trial_row *row, const bsp_options *how)
+static inline void plot_of_rules(const options *o, const trial_row *row)
 {
     plot p = plot_new("Building against searching", "build [ms]", "a diffuse ray [ns]",
                       PLOT_LOG_X);
@@ -79,9 +64,10 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
     int any = plot_series(&p, "both; 1, 4, 16, 64 candidates");
     for (int tries = 1; tries <= 64; tries *= 4)
         for (int i = 0; i < bsp_candidates; i++) {
-            bool safe = row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE;
-            int series = how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any;
-            if (safe && rule_by_cost(how[i].rule) && how[i].candidates == tries)
+            const bsp_options *how = row[i].how;
+            if (row[i].verbs != &bsp_trial || how->sides != BSP_SIDES_SAFE) continue;
+            int series = how->rule == BSP_AXIS ? across : how->rule == BSP_OWN ? own : any;
+            if (rule_by_cost(how->rule) && how->candidates == tries)
                 plot_add(&p, series, row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
         }
     output_plot(o, &p, "13_bsp_time.svg");
@@ -94,14 +80,10 @@ static inline void table_of_choices(const options *o)
     char title[160], brief[200];
     trial_scene s;
     trial_row row[bsp_candidates];
-    bsp_options how[bsp_candidates];
-    for (int i = 0; i < n; i++) {
-        row[i] = bsp_row(&bsp_candidate_list[i], &how[i]);
-        if (!row[i].verbs->first && !rule_by_cost(how[i].rule)) row[i].step = 64;  /* slow */
-    }
+    memcpy(row, bsp_row_list, sizeof row);
     trial_scene_of(teapot_mesh(o->quick ? 3 : o->full ? 14 : 7), &s);
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
-               &bsp_trial, &how[2]);
+               &bsp_trial, row[2].how);
     trials_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
     snprintf(brief, sizeof brief, "Which plane: %s", trial_title(&s, title));
     table out = trial_table(brief, row, bsp_short, &s, false, NULL);
@@ -109,7 +91,7 @@ static inline void table_of_choices(const options *o)
     if (o->full) {
         out = trial_table(trial_title(&s, title), row, n, &s, true, &own);
         output_extra_table(o, &out);
-        plot_of_rules(o, row, how);
+        plot_of_rules(o, row);
     }
     trial_end(row, n), trial_scene_free(&s);
 }
@@ -127,14 +109,11 @@ static inline void table_of_scenes(const options *o)
                           "scene|triangles|rule|time build [ms]|bytes a shape|slanted [%]|"
                           "references a shape|nodes a ray|tests a ray|error [wrong]|time [ns]|"
                           "time gained [%]");
-    bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
-                          bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {
         trial_scene s;
         failure f;
         aabb box;
-        trial_row row[2] = {{.name = "axis", .verbs = &bsp_trial, .how = &how[0]},
-                            {.name = "cost", .verbs = &bsp_trial, .how = &how[1]}};
+        trial_row row[2] = {bsp_row_list[2], bsp_row_list[3]};
         trial_scene_of(shown[k].m, &s);
         if (!items_all_bounds(&s.x, &box, &f)) fail(f);
         s.rays[TRIAL_UNIFORM] = rays_uniform(box, 4000, o->seed);
@@ -145,7 +124,7 @@ static inline void table_of_scenes(const options *o)
             structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_UNIFORM].work;
             table_text(&out, "%s", shown[k].name), table_count(&out, s.m.triangles);
-            table_text(&out, "%s", row[i].name), table_number(&out, row[i].build * 1e3);
+            table_text(&out, i ? "cost" : "axis"), table_number(&out, row[i].build * 1e3);
             table_number(&out, trial_per((double)st->bytes, st->items));
             table_number(&out, 100 * trial_per((double)((bsp *)row[i].built)->normals, st->inner));
             table_number(&out, trial_per((double)st->references, st->items));
@@ -182,12 +161,12 @@ static inline ray_set rays_at(const mesh *m, size_t n, uint64_t seed)
 
 static inline void table_of_losses(const options *o)
 {
-    static const bsp_candidate list[5] = {
-        {"SAFE, padded", &bsp_trial, BSP_COST, 16, BSP_SIDES_SAFE, false},
-        {"not padded", &bsp_naive_trial, BSP_COST, 16, BSP_SIDES_SAFE, true},
-        {"first leaf", &bsp_first_leaf_trial, BSP_COST, 16, BSP_SIDES_SAFE, true},
-        {"STRICT, e = 0", &bsp_trial, BSP_COST, 16, BSP_SIDES_STRICT, false},
-        {"FIXED, e = 1e-4", &bsp_trial, BSP_COST, 16, BSP_SIDES_FIXED, false}};
+    const trial_row list[5] = {
+        {.name = "SAFE, padded", &bsp_trial, BSP_MANY(BSP_SIDES_SAFE)},
+        {.name = "not padded", .verbs = &bsp_naive_trial, .again = true},
+        {.name = "first leaf", .verbs = &bsp_first_leaf_trial, .again = true},
+        {.name = "STRICT, e = 0", &bsp_trial, BSP_MANY(BSP_SIDES_STRICT)},
+        {.name = "FIXED, e = 1e-4", &bsp_trial, BSP_MANY(BSP_SIDES_FIXED)}};
     table out = table_new("Wrong hits of 6000 rays at corners, edges and along axes",
                           "variant|error town|error torus|error torus of 0.001|error needles");
     mesh m[4] = {town_mesh(8, 0), torus_mesh(24), torus_mesh(24), needle_mesh(500, (real)0.01, 77)};
@@ -196,14 +175,10 @@ static inline void table_of_losses(const options *o)
     for (int k = 0; k < 4; k++) {
         trial_scene s;
         trial_row row[5];
-        bsp_options how[5];
+        memcpy(row, list, sizeof row);
         trial_scene_of(m[k], &s);
         s.rays[TRIAL_CORNERS] = rays_at(&s.m, 6000, o->seed);
         trial_due(&s, false);
-        for (int i = 0; i < 5; i++) {
-            row[i] = bsp_row(&list[i], &how[i]);
-            how[i].axis_cost = how[i].slanted_cost = 0.5;  /* many planes */
-        }
         trials_run(row, 5, &s, 1);
         for (int i = 0; i < 5; i++) wrong[i][k] = row[i].wrong;
         trial_end(row, 5), trial_scene_free(&s);

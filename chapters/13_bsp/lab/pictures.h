@@ -69,8 +69,7 @@ cold_inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image 
     if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
         lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
     for (int k = 0; k < 2 && whole; k++) {
-        bsp_options how = bsp_with(k ? BSP_COST : BSP_AXIS, 16, BSP_SIDES_SAFE);
-        trial_row r = {.verbs = &bsp_trial, .how = &how};
+        trial_row r = bsp_row_list[k ? 3 : 2];  /* cost, axis */
         trial_build(&r, s);
         image im = image_new(panel_side(all->width), panel_side(all->height));
         real aspect = (real)im.width / (real)im.height;

@@ -46,11 +46,10 @@ static const knob knobs[] = {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline const knob *knob_find(const contender *c, const char *name, size_t length)
+static inline const knob *knob_find(const contender *c, const char *name)
 {
     for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++)
-        if (strcmp(knobs[k].type, c->type) == 0 && strlen(knobs[k].name) == length
-            && strncmp(knobs[k].name, name, length) == 0) return &knobs[k];
+        if (!strcmp(knobs[k].type, c->type) && !strcmp(knobs[k].name, name)) return &knobs[k];
     return NULL;
 }
 
@@ -103,25 +102,19 @@ static inline void choice_set(compare_choice *p, const knob *k, const char *valu
     snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, value);
 }
 
-/* "bvh:leaf=8". */
-static inline void choose_text(line_up *all, const char *text, size_t length, const char *where)
+/* "bvh:leaf=8", which is cut into its words. */
+static inline void choose_text(line_up *all, char *text, const char *where)
 {
-    const char *end = text + length, *at = text + strcspn(text, ":,");
-    char name[32];
-    snprintf(name, sizeof name, "%.*s", (int)(at - text < 31 ? at - text : 31), text);
-    const contender *c = contender_find(name);
+    char *rest, *name = strtok_r(text, ":", &rest), *word;
+    const contender *c = name ? contender_find(name) : NULL;
     if (!c) die(2, "%s %.100s: allowed are, with commas between:%s", where, text, knob_names(c));
     choose(all, c);
-    while (at < end) {
-        char value[24];
-        const char *word = at + 1;
-        size_t n = strcspn(word, "=:,");
-        const knob *k = knob_find(c, word, n);
-        if (!k || word[n] != '=')
-            die(2, "%s %.100s: options of %s, as in %s:%s=1: %s", where, text, name, name,
-                "NAME", knob_names(c) + 1);
-        word += n + 1, at = word + strcspn(word, ":,");
-        snprintf(value, sizeof value, "%.*s", (int)(at - word < 23 ? at - word : 23), word);
+    while ((word = strtok_r(NULL, ":", &rest)) != NULL) {
+        char *value = strchr(word, '=');
+        if (value) *value++ = 0;
+        const knob *k = value ? knob_find(c, word) : NULL;
+        if (!k) die(2, "%s %.20s:%.100s: options of %.20s, as in %.20s:NAME=1: %s", where, name,
+                    word, name, name, knob_names(c) + 1);
         choice_set(&all->of[all->n - 1], k, value);
     }
 }
@@ -130,12 +123,12 @@ static inline line_up chosen_of(const char *only)
 {
     line_up all = {.n = 0};
     if (!only) return choose_usual();
-    for (const char *at = only + strspn(only, ","); *at; at += strspn(at, ",")) {
-        size_t length = strcspn(at, ",");
-        choose_text(&all, at, length, "--only");
-        at += length;
-    }
+    char *text = allocate(strlen(only) + 1, 1), *rest;
+    strcpy(text, only);
+    for (char *one = strtok_r(text, ",", &rest); one; one = strtok_r(NULL, ",", &rest))
+        choose_text(&all, one, "--only");
     if (!all.n) die(2, "--only %.100s: names no structure", only);
+    free(text);
     return all;
 }
 
@@ -161,7 +154,7 @@ static inline line_up swept_of(const char *text)
         die(2, "--sweep %.100s: a range is FROM..TO", text);
     for (double x = from; x <= to;) {
         snprintf(one, sizeof one, "%s=%.6g", front, x);
-        choose_text(&all, one, strlen(one), "--sweep");
+        choose_text(&all, one, "--sweep");
         const contender_settings *how = &all.of[all.n - 1].how;
         x = sweep_next(how->set[how->n - 1].type, x, from, to);
     }
