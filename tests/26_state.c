@@ -285,6 +285,52 @@ static void test_up(void)
     check_equal(go("--up z"), 2, "of no mesh");
 }
 
+/* Five triangles: of no material, of one that nobody describes, and of three that two libraries
+ * do, one of them both. */
+#define MODEL "mtllib a.mtl b.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nusemtl nobody\nf 1 2 3\n"   \
+    "usemtl red\nf 1 2 3\nusemtl lamp\nf 1 2 3\nusemtl loud\nf 1 2 3\nusemtl red\nf 1 2 3\n"
+#define RED "newmtl unused\nKd 1 1 1\nKs 1 1 1\nnewmtl red\nKd 0.5 0.25 0\n"
+#define OTHERS "newmtl red\nKd 0 0 1\nnewmtl lamp\nKd 0 0 0\nKe 3 2 1\nnewmtl loud\nKd 2 1 0\n"
+
+static void test_materials(void)
+{
+    static const struct { double kd[3]; double ke; } is[6] = {
+        {{0.72, 0.7, 0.66}, 0}, {{0.72, 0.7, 0.66}, 0}, {{0.5, 0.25, 0}, 0}, {{0, 0, 0}, 3},
+        {{1, 0.5, 0}, 0}, {{0.5, 0.25, 0}, 0}};
+    showcase c;
+    failure f;
+    put("m.obj", MODEL), put("a.mtl", RED), put("b.mtl", OTHERS);
+    if (!showcase_of_obj(in_directory("m.obj"), false, 1, &c, &f)) fail(f);
+    for (size_t i = 0; i < 6; i++) {
+        const lit_material *m = &c.s.material[c.s.of_triangle[i]];
+        vec3 wo = {0, 0, 1}, value = brdf_value_local(&m->f, wo, wo);
+        for (int k = 0; k < 3; k++)
+            check_close((double)vaxis(value, k), is[i].kd[k] / (double)pi, 4 * real_epsilon,
+                        "triangle %zu, Kd %d", i, k);
+        check_equal(m->Le.x, is[i].ke, "triangle %zu: Ke", i);
+        check((c.s.emitter_of[i] != lit_dark) == (is[i].ke > 0), "a light, if it shines");
+    }
+    check(c.s.emitters == 1 && fabs(c.s.emitter->area - 1) <= 4 * real_epsilon,
+          "one emitter, of the triangle's area");
+    check_equal(c.s.materials, 5, "grey, three of the model, the floor: a material each");
+    showcase_free(&c);
+    check_equal(go("@m.obj --size 8x6 --samples 2 --save @m.state --out @p.pfm"), 0, "a state");
+    check(!printed("err", "only Kd"), "an unused material says nothing");
+    put("a.mtl", RED "Ks 1 1 1\n");
+    check_equal(go("@m.obj --size 8x6 --samples 3 --resume @m.state --out @p.pfm"), 2,
+                "another library: another picture");
+    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "shiny");
+    check(printed("err", "only Kd and Ke are used here"), "what is not used is named");
+    check_equal(go("@m.obj --size 8x6 --samples 1 --save @a.mtl --out @p.pfm"), 2,
+                "no state instead of a library");
+    put("a.mtl", "newmtl red\nKd red\n");
+    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 2, "a broken library");
+    check(printed("err", "a.mtl:2: Kd: not a number"), "says where");
+    remove(in_directory("a.mtl"));
+    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "a library that is not there");
+    check(printed("err", "mtllib a.mtl: no such file"), "is named");
+}
+
 static void test_program(void)
 {
 #define small "--size 24x18 --scene spheres "
@@ -498,7 +544,7 @@ int main(void)
     test_environment();
     test_error();
     if (go("--help") == 0) {  /* a pipe that no program opens would wait for ever */
-        test_program(), test_up();
+        test_program(), test_up(), test_materials();
         test_pipes();
         test_pixel();
     } else check(false, "26_path_tracer: the program is not built (make)");

@@ -17,7 +17,7 @@ int main(int argc, char **argv)
                         .quick_width = 160, .quick_height = 160};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, showcase_names},
-        {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ: this mesh, grey, on a floor, under a sky"},
+        {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ, by Kd, Ke of its MTL, on a floor, under a sky"},
         {"up", OPTION_TEXT, &c.up, 0, 0, "of it: y (default) or z points up"},
         {"environment", OPTION_INPUT, &c.sky, 0, 0, "PFM or PPM: light all round"},
         {"error", OPTION_REAL, &c.run.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},

@@ -49,6 +49,11 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
 /* Says on stderr which files named by mtllib are not beside the file at `path`; how many. */
 static inline int obj_libraries_missing(const mesh *m, const char *path);
 
+/* Calls use(user, file) for each that is, in their order. */
+typedef void obj_library_use(void *user, const char *file);
+static inline void obj_libraries_each(const mesh *m, const char *path, obj_library_use *use,
+                                      void *user);
+
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline const char *mesh_material(const mesh *m, size_t i)
@@ -293,7 +298,8 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
 
 /* Is there a file of this name [n bytes] in the folder of `path`? A folder or a device is none, as
  * file_open has it. The model needs it: kept. */
-static inline bool obj_beside(const char *path, const char *name, size_t n)
+static inline bool obj_beside(const char *path, const char *name, size_t n, obj_library_use *use,
+                              void *user)
 {
     char file[4096];
     struct stat s;
@@ -302,20 +308,23 @@ static inline bool obj_beside(const char *path, const char *name, size_t n)
     snprintf(file, sizeof file, "%.*s%.*s", folder, path, (int)n, name);
     if (access(file, R_OK) != 0 || stat(file, &s) != 0 || !S_ISREG(s.st_mode)) return false;
     file_keep(&s);
+    if (use) use(user, file);
     return true;
 }
 
 /* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */
-static inline int obj_libraries_beside(const mesh *m, const char *path, bool say)
+static inline int obj_libraries_beside(const mesh *m, const char *path, bool say,
+                                       obj_library_use *use, void *user)
 {
     int missing = 0;
     for (const char *p = m->libraries; p && *p; p += strcspn(p, "\n") + 1) {
         size_t line = strcspn(p, "\n"), word, last = line;
         while (last > 0 && p[last - 1] != '/' && p[last - 1] != '\\') last--;
-        if (obj_beside(path, p, line) || obj_beside(path, p + last, line - last)) continue;
+        if (obj_beside(path, p, line, use, user)
+            || obj_beside(path, p + last, line - last, use, user)) continue;
         for (const char *q = p; q < p + line; q += word + strspn(q + word, " \t")) {
             word = strcspn(q, " \t\n");
-            if (obj_beside(path, q, word)) continue;
+            if (obj_beside(path, q, word, use, user)) continue;
             if (say)
                 fprintf(stderr, "%s: %.200s: mtllib %.*s: no such file beside it\n", program_name,
                         path, (int)word, q);
@@ -327,7 +336,13 @@ static inline int obj_libraries_beside(const mesh *m, const char *path, bool say
 
 static inline int obj_libraries_missing(const mesh *m, const char *path)
 {
-    return obj_libraries_beside(m, path, true);
+    return obj_libraries_beside(m, path, true, NULL, NULL);
+}
+
+static inline void obj_libraries_each(const mesh *m, const char *path, obj_library_use *use,
+                                      void *user)
+{
+    (void)obj_libraries_beside(m, path, false, use, user);
 }
 
 static inline bool obj_read(const char *path, mesh *out, failure *f)
@@ -337,7 +352,7 @@ static inline bool obj_read(const char *path, mesh *out, failure *f)
     if (!in) return false;
     bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
     fclose(in);
-    if (ok) (void)obj_libraries_beside(out, path, false);  /* no output replaces them */
+    if (ok) (void)obj_libraries_beside(out, path, false, NULL, NULL);  /* no output replaces them */
     return ok;
 }
 

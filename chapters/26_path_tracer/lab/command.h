@@ -70,11 +70,11 @@ static inline const char *command_of(const command *c)
     return c->obj ? command_z_up(c) ? "obj, z up" : "obj" : c->scene ? c->scene : "cornell";
 }
 
-/* All that a sample depends on, but for its number and the size. */
-static inline void command_settings(command *c, const options *o)
+/* All that a sample depends on, but for its number and the size. file: of the model, all of it. */
+static inline void command_settings(command *c, const options *o, unsigned long long file)
 {
     snprintf(c->run.settings, state_settings, "scene %.100s\nfile %016llx\nenvironment %016llx\n"
-             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file(c, c->obj),
+             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), file,
              command_file(c, c->sky), c->clamp, real_is_float ? "float" : "double",
              (unsigned long long)o->seed);
 }
@@ -184,9 +184,10 @@ cold_inline void command_run(command *c, const options *o)
     path_options how = path_defaults;
     how.clamp = (real)c->clamp;
     film_range range = c->range ? command_range(c) : (film_range){0, 0};
-    command_settings(c, o);
-    film f = long_run_begin(l, o, o->width, o->height);
+    unsigned long long file = command_file(c, c->obj);  /* before it is read: perhaps a pipe */
     command_scene(c, (real)o->width / (real)o->height, &s.c);
+    command_settings(c, o, file ? file ^ s.c.libraries : 0);
+    film f = long_run_begin(l, o, o->width, o->height);
     shot_begin(&s, o, how, f);
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
                      : l->error > 0 || l->seconds > 0 ? 0

@@ -10,7 +10,7 @@
  *   metal     the same with a ball of metal and a matte one: the page's four panels
  *   teapot    of rough copper, in the open: sky, sun, a floor       9 x 9 cells a patch
  *   rough     five balls of glass, each rougher than the one before, and stripes behind them
- *   OBJ       matte grey, on a floor, under the same sky
+ *   OBJ       grey, or of its materials' Kd and Ke, on a floor, under the same sky
  *
  *   shot s;
  *   shot_of(&s, &o, "metal", how, w, h);     a scene, its tracer, a job (render.h), an empty film
@@ -21,13 +21,19 @@
 #define PATH_SHOWCASE_H
 
 #include "../../../common/options.h"
-#include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
 #include "../../24_direct_light/scenes/sky.h"
+#include "../files/obj_materials.h"
 #include "../render.h"
 
-typedef struct { lit_scene s; environment sky; bool has_sky; camera eye; } showcase;
+typedef struct {
+    lit_scene s;
+    environment sky;
+    bool has_sky;
+    camera eye;
+    uint64_t libraries;  /* of a model's materials, their hash; 0: none */
+} showcase;
 typedef struct { showcase c; path_tracer t; render_job j; film film; } shot;
 static const char showcase_names[] = "cornell, spheres, metal, teapot, rough";
 
@@ -148,19 +154,19 @@ static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, sho
     camera_frame frame;
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
-    if (m.runs)
-        fprintf(stderr, "%s: %.300s: materials are not used here: 27_effects does\n",
-                program_name, path);
     if (z_up) showcase_upright(m.v, m.vertices), showcase_upright(m.n, m.normals);
     bool some = mesh_bounds(&m, &lo, &hi);
     vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
     real r = vlength(half), fov = 30, margin = (real)0.88;
-    bool seen = some && r > 0 && isfinite(1000 * r) && vfinite(vscale(middle, 1000));
+    bool seen = some && r > 0 && isfinite(1000 * r) && vfinite(vscale(middle, 1000)), ok = true;
     if (seen) {
         lit_begin(&c->s);
-        lit_add_mesh(&c->s, &m, lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)}));
+        uint16_t look = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
+        lit_add_mesh(&c->s, &m, look);
+        ok = obj_materials(&m, path, look, &c->s, &c->libraries, f);
     }
     mesh_free(&m);
+    if (!ok) return false;
     if (!seen) return failed(f, 2, some && r > 0 ? "%.300s: too large to be seen from anywhere"
                              : "%.300s: no triangles of any size to draw", path);
     showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, 0.6));
