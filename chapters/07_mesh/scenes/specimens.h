@@ -7,8 +7,7 @@
  *   mesh m = octahedron_mesh(n)           closed, |x| + |y| + |z| = 1, 8 n^2 triangles,
  *                                         n [1..2000]; corners are multiples of 1/n, exact if n is
  *                                         a power of two
- *   mesh m = floors_mesh(n)               squares in the planes x, y, z = -1 + 2 i / n: faces, edges
- *                                         and corners on each other and on dyadic planes
+ *   mesh m = floors_mesh(n)               squares in the planes x, y, z = -1 + 2 i / n, open
  *
  * Triangles are counter-clockwise seen from outside. mesh_free releases a mesh. Source of the
  * gear: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987.
