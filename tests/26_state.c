@@ -268,23 +268,6 @@ static void write_fin(const char *name, bool z_up)
     fclose(to);
 }
 
-/* --up z is the model turned; its states are no others' states. */
-static void test_up(void)
-{
-    write_fin("y.obj", false), write_fin("z.obj", true);
-    check_equal(go("@y.obj --size 24x18 --samples 4 --out @y.pfm"), 0, "y up");
-    check_equal(go("@z.obj --up z --size 24x18 --range 0:4 --save @z.state --out @z.pfm"), 0,
-                "z up");
-    check(equal_files("y.pfm", "z.pfm"), "the same picture");
-    check_equal(go("@z.obj --size 24x18 --samples 4 --out @p.pfm"), 0, "it lies");
-    check(!equal_files("z.pfm", "p.pfm"), "another picture");
-    check_equal(go("@z.obj --size 24x18 --samples 5 --resume @z.state --out @p.pfm"), 2,
-                "another way up");
-    check(printed("err", "'scene obj, z up', not 'scene obj'"), "and says which");
-    check_equal(go("@z.obj --up x --quick"), 2, "neither y nor z");
-    check_equal(go("--up z"), 2, "of no mesh");
-}
-
 /* Five triangles: of no material, of one that nobody describes, and of three that two libraries
  * do, one of them both. */
 #define MODEL "mtllib a.mtl b.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nusemtl nobody\nf 1 2 3\n"   \
@@ -331,45 +314,56 @@ static void test_materials(void)
     check(printed("err", "mtllib a.mtl: no such file"), "is named");
 }
 
+/* One run, a part of it resumed, and three ranges merged are the same bytes; --up z is the model
+ * turned, and its states are no others' states; what is refused says why. */
 static void test_program(void)
 {
 #define small "--size 24x18 --scene spheres "
-    check_equal(go(small "--samples 12 --save @all.state --out @all.pfm"), 0, "one run");
-    check_equal(go(small "--samples 5 --save @part.state --out @p.pfm"), 0, "a part");
-    check_equal(go(small "--samples 12 --resume @part.state --save @more.state --out @more.pfm"), 0,
-                "resumed");
-    check(equal_files("all.state", "more.state") && equal_files("all.pfm", "more.pfm"),
-          "stopped and resumed: the same bytes, state and picture");
-    check_equal(go(small "--range 0:3 --save @a.state --out @p.pfm"), 0, "a");
-    check_equal(go(small "--range 8:12 --save @c.state --out @p.pfm"), 0, "c");
-    check_equal(go(small "--range 3:8 --save @b.state --out @p.pfm"), 0, "b");
-    check_equal(go("--merge @c.state @a.state @b.state --save @m.state --out @m.pfm"), 0, "merged");
-    check(equal_files("all.state", "m.state") && equal_files("all.pfm", "m.pfm"),
-          "three ranges merged: the same bytes as one run");
-    check_equal(go("--merge @a.state @a.state --quick"), 2, "nothing counts twice");
-    check(printed("err", "nothing counts twice"), "and says so");
-    check_equal(go("--merge @a.state --clamp 1 --out @p.pfm"), 2, "a merge cuts nothing");
-    check_equal(go("--merge @a.state --environment x.pfm --out @p.pfm"), 2, "nor a sky");
-    check_equal(go(small "--seed 9 --samples 12 --resume @part.state --out @p.pfm"), 2,
-                "another seed");
-    check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
-    check_equal(go(small "--samples 12 --resume @c.state --out @p.pfm"), 2, "not from 0");
-    static const char *const other[] = {"23x18", "24x17"};
-    for (int i = 0; i < 2; i++) {
-        char text[100];
-        snprintf(text, sizeof text, "--size %s --scene spheres --samples 12 --resume @part.state "
-                 "--out @p.pfm", other[i]);
-        check_equal(go(text), 2, "another size");
-        check(printed("err", "24x18 pixels, not"), "%s: and says so", other[i]);
+#define tiny "@z.obj --size 24x18 "
+    static const struct { int status; const char *arguments, *says; } list[] = {
+        {0, small "--samples 12 --save @all.state --out @all.pfm", NULL},
+        {0, small "--samples 5 --save @part.state --out @p.pfm", NULL},
+        {0, small "--samples 12 --resume @part.state --save @more.state --out @more.pfm", NULL},
+        {0, small "--range 0:3 --save @a.state --out @p.pfm", NULL},
+        {0, small "--range 8:12 --save @c.state --out @p.pfm", NULL},
+        {0, small "--range 3:8 --save @b.state --out @p.pfm", NULL},
+        {0, "--merge @c.state @a.state @b.state --save @m.state --out @m.pfm", NULL},
+        {2, "--merge @a.state @a.state --quick", "nothing counts twice"},
+        {2, "--merge @a.state --clamp 1 --out @p.pfm", NULL},
+        {2, "--merge @a.state --environment x.pfm --out @p.pfm", NULL},
+        {2, small "--seed 9 --samples 12 --resume @part.state --out @p.pfm",
+         "'seed 1', not 'seed 9'"},
+        {2, small "--samples 12 --resume @c.state --out @p.pfm", NULL},  /* not from 0 */
+        {2, small "--size 23x18 --samples 12 --resume @part.state --out @p.pfm",
+         "24x18 pixels, not"},
+        {2, small "--size 24x17 --samples 12 --resume @part.state --out @p.pfm",
+         "24x18 pixels, not"},
+        {2, small "--range 5:3 --out @p.pfm", NULL}, {2, "--scene nowhere --out @p.pfm", NULL},
+        {0, small "--error 0.5 --out @p.pfm", NULL},
+        {2, small "--samples 900000 --resume @part.state --csv @part.state",
+         "this run has read it"},  /* before any work */
+        {0, "--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out @p.pfm", NULL},
+        {0, "@y.obj --size 24x18 --samples 4 --out @y.pfm", NULL},
+        {0, tiny "--up z --range 0:4 --save @z.state --out @z.pfm", NULL},
+        {0, tiny "--samples 4 --out @lies.pfm", NULL},
+        {2, tiny "--samples 5 --resume @z.state --out @p.pfm",
+         "'scene obj, z up', not 'scene obj'"},
+        {2, "@z.obj --up x --quick", NULL}, {2, "--up z", NULL},  /* of no mesh */
+        {2, "--pixel 640,0", "--pixel 640,0: allowed are X,Y"},
+        {2, "--pixel 3,3 --time 1", NULL}, {2, "--pixel 3,3 --scene teapot", NULL}};
+    static const char *const same_bytes[][2] = {{"all.state", "more.state"},
+        {"all.pfm", "more.pfm"}, {"all.state", "m.state"}, {"all.pfm", "m.pfm"},
+        {"y.pfm", "z.pfm"}};
+    write_fin("y.obj", false), write_fin("z.obj", true);
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        check_equal(go(list[k].arguments), list[k].status, "%s", list[k].arguments);
+        if (list[k].says)
+            check(printed("err", list[k].says), "%s: says so", list[k].arguments);
     }
-    check_equal(go(small "--range 5:3 --out @p.pfm"), 2, "a range backwards");
-    check_equal(go("--scene nowhere --out @p.pfm"), 2, "no such scene");
-    check_equal(go(small "--error 0.5 --out @p.pfm"), 0, "to an error");
-    check_equal(go(small "--samples 900000 --resume @part.state --csv @part.state"), 2,
-                "a table instead of the state");
-    check(printed("err", "this run has read it"), "refused before any work");
-    check_equal(go("--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out @p.pfm"), 0,
-                "any OBJ");
+    for (size_t k = 0; k < sizeof same_bytes / sizeof *same_bytes; k++)
+        check(equal_files(same_bytes[k][0], same_bytes[k][1]), "%s and %s: the same bytes",
+              same_bytes[k][0], same_bytes[k][1]);
+    check(!equal_files("z.pfm", "lies.pfm"), "without --up z: another picture");
 }
 
 /* A state knows a model by its bytes; a pipe has them only once, and a picture needs them, too. */
@@ -522,10 +516,6 @@ static void test_pixel(void)
         check(printed("out", "\nx0 = (") && printed("out", "(26.2)") && printed("out", "(26.5)\n"),
               "lines with their equations");
     }
-    check_equal(run("26_path_tracer", "--pixel 640,0"), 2, "beside the picture");
-    check(printed("err", "--pixel 640,0: allowed are X,Y"), "says so");
-    check_equal(run("26_path_tracer", "--pixel 3,3 --time 1"), 2, "no picture");
-    check_equal(run("26_path_tracer", "--pixel 3,3 --scene teapot"), 2, "no box");
 }
 
 int main(void)
@@ -544,7 +534,7 @@ int main(void)
     test_environment();
     test_error();
     if (go("--help") == 0) {  /* a pipe that no program opens would wait for ever */
-        test_program(), test_up(), test_materials();
+        test_program(), test_materials();
         test_pipes();
         test_pixel();
     } else check(false, "26_path_tracer: the program is not built (make)");
