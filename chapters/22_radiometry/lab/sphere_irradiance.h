@@ -18,6 +18,7 @@
  *
  * What the default gives is right to 16 epsilon where height and `across` are (n along an axis),
  * and otherwise to some epsilon d / (R + height): what the last bit of n or p already changes.
+ * Distances: 1e-9 to 1e9 in float, 1e-75 to 1e75 in double.
  *
  * Sources: J. Snyder, "Area Light Sources for Real-Time Graphics", Microsoft TR 96-11, 1996; S.
  * Lagarde, C. de Rousiers, "Moving Frostbite to Physically Based Rendering 3.0", 2014, listing 7.
@@ -69,8 +70,6 @@ static inline real sphere_irradiance(sphere s, vec3 p, vec3 n)
 {
     vec3 f = vsub(s.c, p);
     real r = fabs(s.r), d = vlength(f), power = (d - r) * (d + r);
-    int e = needed_scale(real_max(d, r));
-    if (e) return sphere_irradiance(sphere_scaled(s, e), vscaled_by(p, e), n);
     if (fabs(power) < d * d / 2) power = sphere_power_at(s, p);
     if (d == 0) return r > 0 ? pi : 0;
     if (power < 0) return pi;
