@@ -6,13 +6,7 @@
 #include "../common/lab/t_test.h"
 #include "check.h"
 
-typedef struct {
-    studio s;
-    studio_view view;
-    plan p;
-    effects_stage e;
-    first_scene f;
-} pair;
+typedef struct { effects_ready full; first_scene f; } pair;
 
 /* NEAR: lit by a point light in place of the sun, about as bright: first.h has no sun, and in float
  * what stands for it is a hundredth off. BLACK: nothing behind it. */
@@ -32,7 +26,6 @@ static void pair_open(pair *q, int k, int how)
 {
     char text[six_room];
     failure f;
-    camera c;
     six_text(k, text);
     check(six_as_first(k, &q->f), "%s: first.h has it", six_list[k].name);
     if (how & NEAR) {
@@ -41,17 +34,8 @@ static void pair_open(pair *q, int k, int how)
     }
     if (how & BLACK)
         put_line(text, "background", "background 0\n"), q->f.above = q->f.below = vec(0, 0, 0);
-    if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
-    if (!studio_camera(&q->s, 4 / (real)3, &q->view, &c, &f)) fail(f);
-    if (!effects_stage_build(&q->s, &q->e, &f)) fail(f);
-    q->p = plan_of(&q->s);
-    effects_stage_view(&q->e, &q->view, c);
-    effects_stage_effects(&q->e, q->p.effects);
-}
-
-static void pair_close(pair *q)
-{
-    effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s);
+    if (!studio_read_text(text, "test.scene", NULL, &q->full.s, &f)) fail(f);
+    if (!effects_get_ready(&q->full, 4 / (real)3, &f)) fail(f);
 }
 
 /* ---- the same surfaces ---- */
@@ -71,11 +55,11 @@ static void test_surfaces(int k)
         ray way = {o, (real)1e-3, vunit(d), real_infinity};
         hit a;
         studio_hit b;
-        bool ha = first_scene_hit(&q.f, way, &a), hb = studio_tree_hit(&q.e.t, way, &b);
+        bool ha = first_scene_hit(&q.f, way, &a), hb = studio_tree_hit(&q.full.e.t, way, &b);
         met += hb;
         if (ha != hb) { other++; continue; }
         if (!ha) continue;
-        const appearance *look = &q.e.look[studio_hit_material(&q.e.t, b)];
+        const appearance *look = &q.full.e.look[studio_hit_material(&q.full.e.t, b)];
         const first_material *m = &q.f.thing[a.shape].m;
         bool glass = !vzero(look->through);
         other += fabs(a.t - b.h.t) > 1024 * real_epsilon * (1 + b.h.t) * (1 + b.h.t)
@@ -89,7 +73,7 @@ static void test_surfaces(int k)
      * is met by more than ten. */
     check_at_most((double)other, 0.002 * (double)n,
                   "%s: rays of %zu that meet another surface", six_list[k].name, n);
-    pair_close(&q);
+    effects_ready_free(&q.full);
 }
 
 /* ---- the same light ---- */
@@ -99,8 +83,9 @@ static estimate light_apart(const pair *q, size_t n, double *mean)
 {
     enum { w = 64, h = 48 };
     estimate d = {0}, all = {0};
+    const studio_view *v = &q->full.view;
     first_plan p = first_plan_of(&q->f);
-    effects_function *full = effects_made_for(q->e.mask);
+    effects_function *full = effects_made_for(q->full.e.mask);
     for (size_t i = 0; i < n; i++) {
         random_stream at = random_start(5, i, 0), random = random_start(6, i, 0);
         dice_pixel of;
@@ -108,10 +93,9 @@ static estimate light_apart(const pair *q, size_t n, double *mean)
         dice throws = dice_sample(&of, 0);
         effects_counts c = {.lost = 0};
         real x = random_between(&at, 0, w), y = random_between(&at, 0, h);
-        ray r = camera_ray(q->e.eye, x, y, w, h);
-        vec3 L = full(&q->e, r, (media_set){0}, &throws, &c);
-        first_camera eye = first_camera_at(q->view.from, q->view.at, q->view.up, q->view.angle, w,
-                                           h);
+        ray r = camera_ray(q->full.e.eye, x, y, w, h);
+        vec3 L = full(&q->full.e, r, (media_set){0}, &throws, &c);
+        first_camera eye = first_camera_at(v->from, v->at, v->up, v->angle, w, h);
         vec3 F = first_planned(&q->f, &p, first_ray_unit(first_camera_ray(eye, x, y)), true,
                                first_row_depth, &random);
         all = estimate_add(all, (double)(L.x + L.y + L.z) / 3);
@@ -141,7 +125,7 @@ static void test_light(int k, int how, double least, double most)
         check_at_most(d.mean + 6 * estimate_error(d), most * mean, "%s: by so much", name);
     } else check_at_least(t_test(d, 0, rounding), 1e-7, "%s (%d): first.h sees %g of %g more", name,
                           how, d.mean, mean);
-    pair_close(&q);
+    effects_ready_free(&q.full);
 }
 
 int main(void)

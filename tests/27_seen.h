@@ -20,25 +20,16 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { studio s; plan p; effects_stage e; } set;
+typedef effects_ready set;
 
 static inline void set_up(set *q, const char *text)
 {
     failure f;
-    studio_view v;
-    camera c;
     if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
-    q->p = plan_of(&q->s);
-    if (!studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) fail(f);
-    if (!effects_stage_build(&q->s, &q->e, &f)) fail(f);
-    effects_stage_view(&q->e, &v, c);
-    effects_stage_effects(&q->e, q->p.effects);
+    if (!effects_get_ready(q, 4 / (real)3, &f)) fail(f);
 }
 
-static inline void tear_down(set *q)
-{
-    effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s);
-}
+static inline void tear_down(set *q) { effects_ready_free(q); }
 
 static inline double some(random_stream *r, double lowest, double highest)
 {

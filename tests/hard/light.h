@@ -461,28 +461,22 @@ static inline bool room_is_whole(double kd, double y, int mirror)
     enum { across = 12, down = 8, room = 600 };
     char text[room];
     failure f;
-    studio s;
-    studio_view v;
-    camera c;
-    effects_stage e;
+    effects_ready q;
     snprintf(text, room, "camera from 0 1 3 at 0 0.8 0 angle 45\nmaterial wall\nKd %.4f\n"
              "material other\n%s\nuse wall\npolygon -3 0 3 3 0 3 3 0 -3 -3 0 -3\nuse other\n"
              "polygon -3 0 -3 3 0 -3 3 6 -3 -3 6 -3\nlight at 0 %.4f -2 colour 20\n", kd,
              mirror ? "illum 3\nKd 0\nKs 1" : "Kd 0.5", y);
-    if (!studio_read_text(text, "room", NULL, &s, &f)) fail(f);
-    if (!studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
-    if (!effects_stage_build(&s, &e, &f)) fail(f);
-    effects_stage_view(&e, &v, c);
-    plan p = plan_of(&s);
+    if (!studio_read_text(text, "room", NULL, &q.s, &f)) fail(f);
+    if (!effects_get_ready(&q, 4 / (real)3, &f)) fail(f);
     image im[2];
     for (int j = 0; j < 2; j++) {
-        drawing d = {.e = &e, .samples = 2, .seed = 5, .width = across, .height = down};
-        effects_stage_effects(&e, j ? EFFECTS_EVERYTHING : p.effects | EFFECTS_DICED);
+        drawing d = {.e = &q.e, .samples = 2, .seed = 5, .width = across, .height = down};
+        effects_stage_effects(&q.e, j ? EFFECTS_EVERYTHING : q.p.effects | EFFECTS_DICED);
         draw_image(&d, &im[j], 1);
     }
     bool same = memcmp(im[0].rgb, im[1].rgb, 3 * across * down * sizeof *im[0].rgb) == 0;
     for (int j = 0; j < 2; j++) image_free(&im[j]);
-    plan_free(&p), effects_stage_free(&e), studio_free(&s);
+    effects_ready_free(&q);
     return same;
 }
 

@@ -7,6 +7,9 @@
  *   passes_until(draw_begin(&j, threads), &f, goal)    the same on a film f, by passes
  *   draw_rays(&j.counts)              all rays
  *
+ *   effects_ready q;                  q.s has been read; then all that j.e asks for, by its plan:
+ *   if (!effects_get_ready(&q, aspect, &f)) fail(f);                      effects_ready_free(&q)
+ *
  * With j.strict more bodies around one another than media.h (19) holds end the program: exit 2.
  *
  * Samples lie in the pixel by Sobol'; with j.middle in its middle: for one alone, without chance.
@@ -15,6 +18,7 @@
 #define EFFECTS_DRAW_H
 
 #include "../../26_path_tracer/passes.h"
+#include "../plan.h"
 #include "../special.h"
 
 typedef struct {
@@ -28,8 +32,26 @@ typedef struct {
     effects_counts counts;
     double error;
 } drawing;
+typedef struct { studio s; studio_view view; plan p; effects_stage e; } effects_ready;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* q stays where it is: the stage knows its place. */
+cold_inline bool effects_get_ready(effects_ready *q, real aspect, failure *f)
+{
+    camera c;
+    if (!studio_camera(&q->s, aspect, &q->view, &c, f)) return false;
+    if (!effects_stage_build(&q->s, &q->e, f)) return false;
+    q->p = plan_of(&q->s);
+    effects_stage_view(&q->e, &q->view, c);
+    effects_stage_effects(&q->e, q->p.effects);
+    return true;
+}
+
+static inline void effects_ready_free(effects_ready *q)
+{
+    effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s);
+}
 
 /* The ray of a sample of a pixel. */
 fast_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)

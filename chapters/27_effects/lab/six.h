@@ -66,32 +66,26 @@ static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
 static inline bool six_panel(const options *o, const six_scene *list, int k, int w, int h,
                              const int samples[2], int finer, table *t, table *first, image *im)
 {
-    studio s;
-    studio_view v;
-    camera c;
-    effects_stage e;
+    effects_ready q;
     failure f;
     char called[120] = "";
     image small = {0, 0, NULL};
-    if (!six_read(list, k, &s, &f) || !studio_camera(&s, (real)w / (real)h, &v, &c, &f)
-        || !effects_stage_build(&s, &e, &f)) fail(f);
-    plan p = plan_of(&s);
-    effects_stage_view(&e, &v, c);
-    effects_stage_effects(&e, p.effects);
-    drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed, .width = w, .height = h};
+    if (!six_read(list, k, &q.s, &f) || !effects_get_ready(&q, (real)w / (real)h, &f)) fail(f);
+    drawing j = {.e = &q.e, .samples = samples[!q.e.chance], .seed = o->seed, .width = w,
+                 .height = h};
     drawing all = j, fine = j;
     all.width = w / 6, all.height = h / 6, fine.samples *= finer;
     bool whole = draw_image(&j, im, o->threads);
     if (whole && finer > 1) image_free(im), whole = draw_image(&fine, im, o->threads);
-    if (whole && first) first_row(first, k, list[k].name, &v, &j, im);
-    effects_stage_effects(&e, EFFECTS_EVERYTHING);
+    if (whole && first) first_row(first, k, list[k].name, &q.view, &j, im);
+    effects_stage_effects(&q.e, EFFECTS_EVERYTHING);
     whole = whole && draw_image(&all, &small, o->threads);
     for (int i = 0; i < effect_kinds; i++)
-        if (p.effects >> i & 1)
+        if (q.p.effects >> i & 1)
             snprintf(called + strlen(called), sizeof called - strlen(called), "%s%s",
                      *called ? ", " : "", effect_names[i].option);
     table_text(t, "%s", list[k].name);
-    table_text(t, "%s", integrator_of(p.effects));
+    table_text(t, "%s", integrator_of(q.p.effects));
     table_text(t, "%s", called);
     double rays[2];
     for (int i = 0; i < 2; i++) {
@@ -100,9 +94,11 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
         table_number(t, rays[i]), table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
     }
     snprintf(called, sizeof called, "%.3g of %.3g rays a pixel", rays[0], rays[1]);
-    if (w >= six_width)
-        label_tag(im, 4, h - 36, 9, integrator_of(p.effects)), label_tag(im, 4, h - 19, 9, called);
-    image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
+    if (w >= six_width) {
+        label_tag(im, 4, h - 36, 9, integrator_of(q.p.effects));
+        label_tag(im, 4, h - 19, 9, called);
+    }
+    image_free(&small), effects_ready_free(&q);
     return whole;
 }
 

@@ -117,24 +117,18 @@ static inline bool tax_add(const options *o, table *t, tax_row row, double *leas
 {
     bool paths = row == TAX_PATHS;
     int w = o->quick ? 48 : paths ? 160 : 240, h = w * 3 / 4, samples = paths ? 16 : 1;
-    studio s;
-    effects_stage e;
+    effects_ready q;
     failure f;
-    studio_view v;
-    camera c;
     char *balls = forty_text(row == TAX_SHADE);
-    if (!studio_read_text(paths ? tax_room : balls, "tax.scene", NULL, &s, &f)) fail(f);
-    plan p = plan_of(&s);
-    if (!effects_stage_build(&s, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
-    effects_stage_view(&e, &v, c);
-    effects_stage_effects(&e, p.effects);
+    if (!studio_read_text(paths ? tax_room : balls, "tax.scene", NULL, &q.s, &f)) fail(f);
+    if (!effects_get_ready(&q, 4 / (real)3, &f)) fail(f);
     tax_run run[2];
     for (int i = 0; i < 2; i++)
         run[i] = (tax_run){.row = row, .im = image_new(w, h),
-                           .here = {.e = &e, .samples = samples, .seed = 1, .width = w,
+                           .here = {.e = &q.e, .samples = samples, .seed = 1, .width = w,
                                     .height = h}};
-    if (paths) classic_lit(&s, &run[0].lit);
-    else classic_build(&e, &run[0].c);
+    if (paths) classic_lit(&q.s, &run[0].lit);
+    else classic_build(&q.e, &run[0].c);
     bench_candidate k[2] = {{.run = tax_own, .context = &run[0]},
                             {.run = tax_here, .context = &run[1]}};
     bench_time(k, 2, o->quick ? 3 : 7);
@@ -148,7 +142,7 @@ static inline bool tax_add(const options *o, table *t, tax_row row, double *leas
     *least = fmin(*least, ns[0] / ns[1]);
     if (paths) lit_free(&run[0].lit);
     else classic_free(&run[0].c);
-    effects_stage_free(&e), plan_free(&p), studio_free(&s), free(balls);
+    effects_ready_free(&q), free(balls);
     return !run[0].stopped && !run[1].stopped;
 }
 
