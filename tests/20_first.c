@@ -52,8 +52,7 @@ static void test_far_mean(void)
 {
     enum { size = 1000, most = 1000 };
     const real mean = 1000 * sqrt((real)FLT_EPSILON / real_epsilon);
-    int sets = (int)check_count(most), negative = 0, bad = 0;
-    if (sets < 100) sets = 100;  /* shares of fewer say nothing */
+    int sets = (int)check_sample(most, 100), negative = 0, bad = 0;
     double full = 0, near = 0;
     for (int set = 0; set < sets; set++) {
         sums s = sums_of(mean, (uint64_t)set, size);
@@ -172,8 +171,7 @@ static real d_cosine(vec3 w, const void *c) { return (void)c, pdf_cosine(w); }
 
 static void test_directions(void)
 {
-    size_t n = check_count(200000), below = 0;
-    n = n < 20000 ? 20000 : n;
+    size_t n = check_sample(200000, 20000), below = 0;
     chi_square_result r = chi_square_directions(s_uniform, d_uniform, NULL, 1, 1, n);
     check_at_least(r.p, alarm, "uniform directions follow pdf_hemisphere");
     r = chi_square_directions(s_cosine, d_cosine, NULL, 1, 1, n);
@@ -199,12 +197,6 @@ static void test_directions(void)
 
 int main(void)
 {
-    test_samples();
-    test_far_mean();
-    test_few();
-    test_pi_by_chance();
-    test_inversion();
-    test_directions();
-    test_dome();
-    return check_report("20_first");
+    return check_all("20_first", test_samples, test_far_mean, test_few, test_pi_by_chance,
+                     test_inversion, test_directions, test_dome);
 }

@@ -82,8 +82,7 @@ static void test_threads(void)
  * 2020, whose coins depend on each other, has half of that at m = 5. */
 static void test_hash(void)
 {
-    int runs = (int)check_count(2000);
-    if (runs < 500) runs = 500;
+    int runs = (int)check_sample(2000, 500);
     for (int m = 5; m <= 7; m += 2) {
         double exact = deviation_sobol(m) * deviation_sobol(m), error[integrands];
         estimate e = {0};
@@ -110,8 +109,7 @@ static double rays_variance(uint64_t seed, uint32_t n, int runs)
 /* "To halve the variance, four times the rays": four times the rays quarter it. */
 static void test_four_times_the_rays(void)
 {
-    int runs = (int)check_count(4000);
-    if (runs < 1000) runs = 1000;
+    int runs = (int)check_sample(4000, 1000);
     double v = rays_variance(11, 64, runs);
     /* a variance of n samples that are nearly normal is off by sqrt(2 / n) of itself, a ratio by
      * sqrt 2 times that: six of these */
@@ -178,9 +176,8 @@ static void test_weights(void)
  * does not. */
 static void test_fatal(void)
 {
-    size_t runs = check_count(200), low = 0, missed = 0, alarms = 0;
+    size_t runs = check_sample(200, 100), low = 0, missed = 0, alarms = 0;
     size_t mixed_alarms = 0, mixed_missed = 0;
-    if (runs < 100) runs = 100;
     for (uint64_t run = 0; run < runs; run++) {
         estimate e = importance_run(20, 0, 5, run, 1000);
         estimate m = importance_run(20, 0.2, 6, run, 1000);
@@ -231,14 +228,7 @@ static void test_slopes_of_importance(void)
 
 int main(void)
 {
-    test_exact_values();
-    test_variances();
-    test_threads();
-    test_hash();
-    test_four_times_the_rays();
-    test_importance();
-    test_weights();
-    test_fatal();
-    test_slopes_of_importance();
-    return check_report("20_monte_carlo");
+    return check_all("20_monte_carlo", test_exact_values, test_variances, test_threads, test_hash,
+                     test_four_times_the_rays, test_importance, test_weights, test_fatal,
+                     test_slopes_of_importance);
 }

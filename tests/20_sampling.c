@@ -79,8 +79,7 @@ static chi_square_result chi_square_of(const trial *t, size_t n)
 
 static void test_chi_square(void)
 {
-    size_t n = check_count(200000);
-    n = n < 20000 ? 20000 : n;  /* so many it takes to find the cube out */
+    size_t n = check_sample(200000, 20000);  /* so many it takes to find the cube out */
     for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
         chi_square_result r = chi_square_of(&right[k], n);
         check_at_least(r.p, alarm, "%s: samples follow the pdf", right[k].name);
@@ -322,14 +321,6 @@ int main(void)
     c_wide.half_sine2 = 0.25, c_half.half_sine2 = 0.5, c_all.half_sine2 = 1;
     c_sun.half_sine2 = (real)0x1p-15;  /* 0.6 degrees; with focus 15 its side is at s = 1/2 */
     check_close((double)cone_of_angle(pi / 3).half_sine2, 0.25, 2 * eps, "60 degrees");
-    test_chi_square();
-    test_cube();
-    test_corners();
-    test_rims();
-    test_angle();
-    test_narrow();
-    test_stretch();
-    test_triangles_and_frames();
-    test_choose();
-    return check_report("20_sampling");
+    return check_all("20_sampling", test_chi_square, test_cube, test_corners, test_rims,
+                     test_angle, test_narrow, test_stretch, test_triangles_and_frames, test_choose);
 }

@@ -245,8 +245,7 @@ static void test_uniform(void)
  * 1.5 for two points, which are never alike. In one and the same order it would hardly fall. */
 static void test_unbiased(void)
 {
-    uint64_t runs = check_count(3000);
-    runs = runs < 300 ? 300 : runs;  /* for fewer the bound of 2, below, is too narrow */
+    uint64_t runs = check_sample(3000, 300);  /* for fewer the bound of 2, below, is too narrow */
     for (int kind = 0; kind < sequence_kinds; kind++) {
         if (kind == SEQUENCE_HALTON) continue;
         for (uint32_t n = 1; n <= 64; n = 4 * n + 3) {  /* 1, 7, 31: no powers of two */
@@ -326,17 +325,7 @@ static void test_digits(void)
 
 int main(void)
 {
-    test_digits();
-    test_nets();
-    test_sampler_nets();
-    test_sobol_definition();
-    test_scramble();
-    test_radical_inverse();
-    test_permuted();
-    test_cells();
-    test_plain_halton();
-    test_uniform();
-    test_unbiased();
-    test_keys();
-    return check_report("20_sequences");
+    return check_all("20_sequences", test_digits, test_nets, test_sampler_nets,
+                     test_sobol_definition, test_scramble, test_radical_inverse, test_permuted,
+                     test_cells, test_plain_halton, test_uniform, test_unbiased, test_keys);
 }

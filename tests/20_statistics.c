@@ -311,15 +311,7 @@ static void test_rejects(void)
 
 int main(void)
 {
-    test_closed_forms();
-    test_against_wide();
-    test_never_negative();
-    test_merge();
-    test_sums();
-    test_gamma();
-    test_beta();
-    test_tails();
-    test_p_values();
-    test_rejects();
-    return check_report("20_statistics");
+    return check_all("20_statistics", test_closed_forms, test_against_wide, test_never_negative,
+                     test_merge, test_sums, test_gamma, test_beta, test_tails, test_p_values,
+                     test_rejects);
 }

@@ -469,19 +469,7 @@ static void test_program(void)
 
 int main(void)
 {
-    test_ambient_below();
-    test_is_18();
-    test_spending();
-    test_none();
-    test_pairs();
-    test_reproducible();
-    test_sum();
-    test_furnace();
-    test_independent();
-    test_chain();
-    test_cornell();
-    test_box();
-    test_first();
-    test_program();
-    return check_report("21_distributed");
+    return check_all("21_distributed", test_ambient_below, test_is_18, test_spending, test_none,
+                     test_pairs, test_reproducible, test_sum, test_furnace, test_independent,
+                     test_chain, test_cornell, test_box, test_first, test_program);
 }

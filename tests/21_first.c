@@ -246,12 +246,6 @@ static void test_nonsense(void)
 
 int main(void)
 {
-    test_lamp();
-    test_known();
-    test_lobe();
-    test_path();
-    test_lost();
-    test_near();
-    test_nonsense();
-    return check_report("21_first");
+    return check_all("21_first", test_lamp, test_known, test_lobe, test_path, test_lost, test_near,
+                     test_nonsense);
 }

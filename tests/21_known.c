@@ -14,7 +14,7 @@ static double rounding(void) { return 2.0 / known_far + 16 * (double)real_epsilo
  * than 40 of them: with two or three, all may be alike by chance, as shares of 64 are. */
 static void test_answers(void)
 {
-    size_t runs_due = check_count(400) < 40 ? 40 : check_count(400);
+    size_t runs_due = check_sample(400, 40);
     for (int i = 0; i < known_kinds; i++) {
         known k;
         known_make((known_kind)i, &k);
@@ -39,7 +39,7 @@ static void test_slopes(void)
 {
     static const known_kind asked[5] = {KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_SKY_DISK, KNOWN_LENS,
                                         KNOWN_SQUARE};
-    size_t runs = check_count(400) < 50 ? 50 : check_count(400);
+    size_t runs = check_sample(400, 50);
     double bound = 0.02 + 5 * 0.228 / sqrt((double)runs);
     for (int i = 0; i < 5; i++)
         for (int m = 0; m < 3; m++) {
@@ -587,24 +587,8 @@ static void test_one_time(void)
 
 int main(void)
 {
-    test_answers();
-    test_slopes();
-    test_rectangle_form();
-    test_point();
-    test_ball();
-    test_sunk_ball();
-    test_centre();
-    test_no_light();
-    test_above();
-    test_lobe();
-    test_mirror();
-    test_leak();
-    test_silhouette();
-    test_focus();
-    test_passing();
-    test_moved();
-    test_leaves();
-    test_at_rest();
-    test_one_time();
-    return check_report("21_known");
+    return check_all("21_known", test_answers, test_slopes, test_rectangle_form, test_point,
+                     test_ball, test_sunk_ball, test_centre, test_no_light, test_above, test_lobe,
+                     test_mirror, test_leak, test_silhouette, test_focus, test_passing, test_moved,
+                     test_leaves, test_at_rest, test_one_time);
 }

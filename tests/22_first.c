@@ -156,12 +156,6 @@ static void test_nonsense(void)
 
 int main(void)
 {
-    test_cap();
-    test_small_cap();
-    test_sphere();
-    test_irradiance();
-    test_directions();
-    test_sunk();
-    test_nonsense();
-    return check_report("22_first");
+    return check_all("22_first", test_cap, test_small_cap, test_sphere, test_irradiance,
+                     test_directions, test_sunk, test_nonsense);
 }

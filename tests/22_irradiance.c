@@ -312,14 +312,7 @@ static void test_small_triangles(void)
 
 int main(void)
 {
-    test_oracle();
-    test_known_spheres();
-    test_hard_spheres();
-    test_turned_spheres();
-    test_known_polygons();
-    test_hard_cases();
-    test_scales();
-    test_random_triangles();
-    test_small_triangles();
-    return check_report("22_irradiance");
+    return check_all("22_irradiance", test_oracle, test_known_spheres, test_hard_spheres,
+                     test_turned_spheres, test_known_polygons, test_hard_cases, test_scales,
+                     test_random_triangles, test_small_triangles);
 }

@@ -184,11 +184,6 @@ static void test_photometry(void)
 
 int main(void)
 {
-    test_relations();
-    test_closed();
-    test_floors();
-    test_view();
-    test_ways();
-    test_photometry();
-    return check_report("22_radiometry");
+    return check_all("22_radiometry", test_relations, test_closed, test_floors, test_view,
+                     test_ways, test_photometry);
 }

@@ -272,14 +272,7 @@ static void test_sums(void)
 
 int main(void)
 {
-    test_caps();
-    test_spheres();
-    test_known_triangles();
-    test_hard_triangles();
-    test_near_corners();
-    test_climbed();
-    test_edge_on_rectangles();
-    test_sizes_of_bounds();
-    test_sums();
-    return check_report("22_solid_angle");
+    return check_all("22_solid_angle", test_caps, test_spheres, test_known_triangles,
+                     test_hard_triangles, test_near_corners, test_climbed, test_edge_on_rectangles,
+                     test_sizes_of_bounds, test_sums);
 }

@@ -392,15 +392,7 @@ static void test_sphere_cones(void)
 
 int main(void)
 {
-    test_triangle_shares();
-    test_long_arcs();
-    test_chi_square();
-    test_expectations();
-    test_near_edges();
-    test_rectangle_shares();
-    test_which_map();
-    test_seam();
-    test_urena_fails();
-    test_sphere_cones();
-    return check_report("22_spherical_sampling");
+    return check_all("22_spherical_sampling", test_triangle_shares, test_long_arcs,
+                     test_chi_square, test_expectations, test_near_edges, test_rectangle_shares,
+                     test_which_map, test_seam, test_urena_fails, test_sphere_cones);
 }

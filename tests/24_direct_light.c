@@ -499,17 +499,7 @@ static void test_point_lights(void)
 
 int main(void)
 {
-    test_closed_forms();
-    test_glossy();
-    test_never_worse();
-    test_fireflies();
-    test_several();
-    test_choice();
-    test_power();
-    test_called_for();
-    test_leaning();
-    test_background();
-    test_far();
-    test_point_lights();
-    return check_report("24_direct_light");
+    return check_all("24_direct_light", test_closed_forms, test_glossy, test_never_worse,
+                     test_fireflies, test_several, test_choice, test_power, test_called_for,
+                     test_leaning, test_background, test_far, test_point_lights);
 }

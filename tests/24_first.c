@@ -214,9 +214,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    test_closed_forms();
-    test_small_lamp(), test_close_to_a_lamp();
-    test_measured_box(), test_camera();
-    test_odd_input();
-    return check_report("24_first");
+    return check_all("24_first", test_closed_forms, test_small_lamp, test_close_to_a_lamp,
+                     test_measured_box, test_camera, test_odd_input);
 }

@@ -505,18 +505,8 @@ static void test_short_cut(void)
 
 int main(void)
 {
-    test_corners_without_a_normal();
-    test_sun();
-    test_scenes();
-    test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);
-    test_bounds();
-    test_long_half();
-    test_unseen();
-    test_leaving();
-    test_fan();
-    test_same_numbers();
-    test_weights();
-    test_short_cut();
-    return check_report("24_lights");
+    return check_all("24_lights", test_corners_without_a_normal, test_sun, test_scenes,
+                     test_joined, test_bounds, test_long_half, test_unseen, test_leaving, test_fan,
+                     test_same_numbers, test_weights, test_short_cut);
 }

@@ -17,13 +17,6 @@ static const char *const choice_name[] = {"uniform", "cosine", "BRDF"};
 
 static bool same(vec3 a, vec3 b) { return memcmp(&a, &b, sizeof a) == 0; }
 
-/* Where light is met by one path in 40, or weights are skew, fewer are no sample for a t-test. */
-static size_t count_from(size_t least, size_t n)
-{
-    size_t k = check_count(n);
-    return k > least ? k : least;
-}
-
 /* Sample k of pixel i, its pair 0 spent on the pixel. */
 static sampler second_pair(uint64_t i, uint32_t k)
 {
@@ -140,7 +133,7 @@ static void test_furnace_uniform(void)
             int depth = N == 1 ? 8 : 4;
             furnace(kind, &s, one, rho);
             naive_path p = {&s, DIRECTIONS_UNIFORM, depth, false};
-            size_t n = count_from(N == 4 ? 100 : 2000, N == 4 ? 300 : 6000);
+            size_t n = check_sample(N == 4 ? 300 : 6000, N == 4 ? 100 : 2000);
             for (size_t i = 0; i < n; i++) {
                 vec3 L = branching_radiance(&p, N, some_ray(dark, i), 7, 0, i, &c);
                 for (int j = 0; j < 3; j++) {
@@ -211,7 +204,7 @@ static void test_pair(void)
             estimate e[3][depth + 1], whole[3];
             memset(e, 0, sizeof e), memset(whole, 0, sizeof whole);
             bounce_counts c = {.direct = {0, 0, 0}};
-            for (size_t i = 0; i < count_from(2000, 8000); i++) {
+            for (size_t i = 0; i < check_sample(8000, 2000); i++) {
                 vec3 o = {0, 0.7, 0}, d = {0, seen ? 1 : -1, 0}, term[depth + 1], L = dark;
                 sampler r = second_pair((uint64_t)seen, (uint32_t)i);
                 bounce_terms(&p, (ray){o, 0, d, real_infinity}, &r, term, &c);
@@ -355,7 +348,7 @@ static void test_terms_lit(void)
         estimate naive[depth + 1][3], lit[depth + 1][3];
         memset(naive, 0, sizeof naive), memset(lit, 0, sizeof lit);
         bounce_counts c = {.direct = {0, 0, 0}};
-        for (size_t i = 0; i < count_from(2000, 20000); i++) {
+        for (size_t i = 0; i < check_sample(20000, 2000); i++) {
             vec3 a[depth + 1], b[depth + 1];
             sampler r = second_pair(6, (uint32_t)i), q = second_pair(7, (uint32_t)i);
             bounce_terms(&p, eye, &r, a, &c), bounce_terms_lit(&p, eye, &q, b, &c);
@@ -472,7 +465,7 @@ static void test_called_for(void)
             naive_path p = {&s, (direction_choice)way, 5, false}, all = p;
             naive_counts called = {{0}, 0, 0}, many = called;
             naive_counts tree_called = called, tree_many = called;
-            size_t wrong = 0, wrong_tree = 0, bright = 0, n = count_from(300, 1500);
+            size_t wrong = 0, wrong_tree = 0, bright = 0, n = check_sample(1500, 300);
             all.spend_all = true;
             for (size_t i = 0; i < n; i++) {
                 sampler a = second_pair(i, 1), b = a;
@@ -556,7 +549,7 @@ static void test_shading_normals(void)
     lit_end(&s);
     for (int way = DIRECTIONS_UNIFORM; way <= DIRECTIONS_BRDF; way++) {
         naive_path p = {&s, (direction_choice)way, 2, false};
-        size_t bright = 0, k = count_from(100, 1000);
+        size_t bright = 0, k = check_sample(1000, 100);
         for (size_t i = 0; i < k; i++) {
             vec3 term[3];
             sampler a = second_pair(8, (uint32_t)i), b = a;
@@ -579,7 +572,7 @@ static void test_eye_length(void)
     hard_scene(&s, true);
     naive_path p = {&s, DIRECTIONS_BRDF, 3, false};
     naive_counts c = {{0}, 0, 0};
-    for (size_t i = 0; i < count_from(100, 500); i++) {
+    for (size_t i = 0; i < check_sample(500, 100); i++) {
         ray r = some_ray(vec(0, 0.5, 0), i), far = r;
         far.d = vscale(r.d, 4);
         sampler a = second_pair(i, 2), b = a;
@@ -594,10 +587,8 @@ static void test_eye_length(void)
 
 int main(void)
 {
-    test_furnace_exact(), test_endless(), test_furnace_uniform();
-    test_pair(), test_edges();
-    test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
-    test_notes(), test_notes_terms(), test_called_for(), test_counts(), test_shading_normals();
-    test_eye_length();
-    return check_report("25_bounces");
+    return check_all("25_bounces", test_furnace_exact, test_endless, test_furnace_uniform,
+                     test_pair, test_edges, test_terms_add_up, test_direct_closed_form,
+                     test_terms_lit, test_notes, test_notes_terms, test_called_for, test_counts,
+                     test_shading_normals, test_eye_length);
 }

@@ -126,8 +126,7 @@ static void test_rows(void)
     options o = {.seed = 7};
     trials_begin(b, &o);
     estimate truth[trial_depths] = {{0}};
-    uint64_t n = check_count(60000);
-    if (n < 30000) n = 30000;
+    uint64_t n = check_sample(60000, 30000);
     for (uint64_t i = 0; i < n; i++) {
         double sum[trial_depths];
         sampler s = sampler_start(SEQUENCE_RANDOM, 8, i, 0, 1);
@@ -242,8 +241,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    test_terms(), test_operator(), test_rows(), test_furnace();
-    test_rays(), test_sums();
-    test_odd_input();
-    return check_report("25_first");
+    return check_all("25_first", test_terms, test_operator, test_rows, test_furnace, test_rays,
+                     test_sums, test_odd_input);
 }

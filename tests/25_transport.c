@@ -163,7 +163,6 @@ static void test_dense(void)
 
 int main(void)
 {
-    test_series(), test_series_naive();
-    test_two_patches(), test_convergence(), test_dense();
-    return check_report("25_transport");
+    return check_all("25_transport", test_series, test_series_naive, test_two_patches,
+                     test_convergence, test_dense);
 }

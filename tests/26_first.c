@@ -242,10 +242,6 @@ static void test_program(void)
 int main(void)
 {
     check(mkdtemp(directory), "a directory");
-    test_picture();
-    test_roulette(), test_by_luck();
-    test_ends(), test_close_to_a_lamp();
-    test_odd_input();
-    test_program();
-    return check_report("26_first");
+    return check_all("26_first", test_picture, test_roulette, test_by_luck, test_ends,
+                     test_close_to_a_lamp, test_odd_input, test_program);
 }

@@ -23,7 +23,7 @@ static void from_eye(const showcase *c, estimate *e, estimate *mean)
     path_tracer t;
     path_counts work = {0};
     path_tracer_of(&c->s, NULL, path_defaults, &t);
-    uint32_t n = check_count(64) < 8 ? 8 : (uint32_t)check_count(64);
+    uint32_t n = (uint32_t)check_sample(64, 8);
     for (uint64_t set = 0; set < sets; set++) {
         double picture[3 * side * side] = {0};
         for (int i = 0; i < side * side; i++)
@@ -47,7 +47,7 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
     light_tracer t;
     path_counts work = {0};
     light_tracer_of(&c->s, c->eye, side, side, &t);
-    size_t n = (check_count(20000) < 2000 ? 2000 : check_count(20000)) / light_jobs * light_jobs;
+    size_t n = check_sample(20000, 2000) / light_jobs * light_jobs;
     for (uint64_t set = 0; set < sets; set++) {
         image im;
         double picture[3 * side * side], sum = 0;

@@ -600,21 +600,9 @@ static void test_called_for(void)
 
 int main(void)
 {
-    test_roulette();
-    test_closed_sphere();
-    test_furnace();
-    test_leaning_normals();
-    test_glass();
-    test_rough_glass();
-    test_called_for();
-    test_choice_of_light();
-    test_counts();
-    test_in_glass();
-    test_rough_lit();
-    test_rough_noise();
-    test_rough_point();
-    test_no_light();
-    test_strategies_agree();
-    test_naive();
-    return check_report("26_path_tracer");
+    return check_all("26_path_tracer", test_roulette, test_closed_sphere, test_furnace,
+                     test_leaning_normals, test_glass, test_rough_glass, test_called_for,
+                     test_choice_of_light, test_counts, test_in_glass, test_rough_lit,
+                     test_rough_noise, test_rough_point, test_no_light, test_strategies_agree,
+                     test_naive);
 }

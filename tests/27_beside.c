@@ -115,8 +115,7 @@ static void test_light(int k, int how, double least, double most)
     double mean;
     if (real_is_float && !(how & NEAR)) return;
     pair_open(&q, k, how);
-    size_t n = check_count(200000);
-    estimate d = light_apart(&q, n < 10000 ? 10000 : n, &mean);  /* fewer see nothing */
+    estimate d = light_apart(&q, check_sample(200000, 10000), &mean);  /* fewer see nothing */
     double rounding = (how & NEAR ? 256 * (double)real_epsilon : 1e-5) * mean;
     check_at_most(estimate_error(d), 0.01 * mean, "%s: noise, too much to see anything", name);
     if (most > 0) {

@@ -216,15 +216,11 @@ int main(void)
     first_scene ball = scene_of(BALL), shadow = scene_of(FLOOR_BALL), two = first_two_balls();
     first_scene box = scene_of(BOX), room = scene_of(LAMP_WALLS);
     room.ambient = room.above = room.below = vec(0, 0, 0);
-    test_rules();
-    test_nothing_is_lost();
-    test_what_it_gets_wrong();
     same_light(&ball, BALL, BY_SHADE, "a ball, against 18");
     same_light(&shadow, FLOOR_BALL, BY_SHADE, "floor and ball, against 18");
     same_light(&two, FLOOR_BALL, BY_WHITTED, "two balls, against 19");
     same_light(&box, BOX, BY_PATH, "the Cornell box, against 26");
     same_light(&room, LAMP_WALLS, BY_PATH, "a lamp, floor and ball, against 26");
-    test_lamp_in_a_mirror();
-    test_odd_input();
-    return check_report("27_first");
+    return check_all("27_first", test_rules, test_nothing_is_lost, test_what_it_gets_wrong,
+                     test_lamp_in_a_mirror, test_odd_input);
 }

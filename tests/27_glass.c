@@ -553,18 +553,9 @@ int main(void)
 {
     seconds_at_most(120);
     if (!mkdtemp(directory)) abort();
-    test_priorities();
-    test_whitted();
-    test_squeeze();
-    test_within();
-    test_shells();
-    test_alone();
-    test_begins_elsewhere();
-    test_furnace();
-    test_smooth();
-    test_rough_contact();
-    test_rough_skies();
-    test_rough_point();
+    int failed = check_all("27_glass", test_priorities, test_whitted, test_squeeze, test_within,
+                           test_shells, test_alone, test_begins_elsewhere, test_furnace,
+                           test_smooth, test_rough_contact, test_rough_skies, test_rough_point);
     remove_directory();
-    return check_report("27_glass");
+    return failed;
 }

@@ -427,15 +427,7 @@ static void test_wrong_rules(void)
 int main(void)
 {
     rng = random_start(27, 1, 0);
-    test_appearance();
-    test_energy();
-    test_effects();
-    test_reasons();
-    test_wrong_rules();
-    test_finish();
-    test_effects_option();
-    test_framing();
-    test_odd_cameras();
-    test_sky();
-    return check_report("27_plan");
+    return check_all("27_plan", test_appearance, test_energy, test_effects, test_reasons,
+                     test_wrong_rules, test_finish, test_effects_option, test_framing,
+                     test_odd_cameras, test_sky);
 }

@@ -593,8 +593,6 @@ int main(void)
 {
     seconds_at_most(120);
     if (!mkdtemp(directory)) abort();
-    test_special();
-    test_dice();
     test_classic(false);
     test_classic(true);
     test_touching(ABOVE UNDER BLOCKS);
@@ -611,21 +609,10 @@ int main(void)
         test_paths(rough, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED
                               | (k ? EFFECT_GLOSSY : 0));
     }
-    test_bodies();
-    test_blocks();
-    test_contacts();
-    test_ends();
-    test_many_faces();
-    test_smoothed();
-    test_left_out();
-    test_light();
-    test_highlights();
-    test_deep();
-    test_plates();
-    test_pairs_called_for();
-    test_round_lamp();
-    test_hidden_lamp();
-    test_ways();
+    int failed = check_all("27_radiance", test_special, test_dice, test_bodies, test_blocks,
+                           test_contacts, test_ends, test_many_faces, test_smoothed, test_left_out,
+                           test_light, test_highlights, test_deep, test_plates,
+                           test_pairs_called_for, test_round_lamp, test_hidden_lamp, test_ways);
     remove_directory();
-    return check_report("27_radiance");
+    return failed;
 }

@@ -673,21 +673,10 @@ int main(void)
 {
     rng = random_start(27, 0, 0);
     if (!mkdtemp(directory)) abort();
-    test_mtl();
-    test_mtl_broken();
-    test_many_materials();
-    test_notes();
-    test_exports();
-    test_nff_scenes();
-    test_nff_rest();
-    test_nff_broken();
-    test_patches();
-    test_scene();
-    test_words();
-    test_scene_broken();
-    test_black_sky();
-    test_box();
-    test_includes();
+    int failed = check_all("27_readers", test_mtl, test_mtl_broken, test_many_materials,
+                           test_notes, test_exports, test_nff_scenes, test_nff_rest,
+                           test_nff_broken, test_patches, test_scene, test_words,
+                           test_scene_broken, test_black_sky, test_box, test_includes);
     remove_directory();
-    return check_report("27_readers");
+    return failed;
 }

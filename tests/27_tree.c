@@ -543,14 +543,6 @@ static void test_left_out(void)
 int main(void)
 {
     rng = random_start(27, 2, 0);
-    test_hits();
-    test_equal();
-    test_leaving();
-    test_left_out();
-    test_solids();
-    test_owed();
-    test_lamps();
-    test_moved_lamp();
-    test_sky();
-    return check_report("27_tree");
+    return check_all("27_tree", test_hits, test_equal, test_leaving, test_left_out, test_solids,
+                     test_owed, test_lamps, test_moved_lamp, test_sky);
 }

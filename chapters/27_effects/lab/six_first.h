@@ -15,7 +15,7 @@
  * where the horizon passes through them.) A pixel of its picture is 5 x 5 of im, which has 25 times
  * its samples. Off by: the mean of all differences of pixels, over the mean of im; +-: its standard
  * error. Noise: what a pixel differs by, RMS, about that mean; of the full version's own picture of
- * that size, too. The two times are of such pictures, by one thread. Its rays: of the eye, and what
+ * that size, too. The two times are the processor's, of such pictures, by one thread. Its rays: of the eye, and what
  * first_rays counts: the points of the lamp that it draws, also those behind a surface, to which it
  * sends no ray.
  */
@@ -97,6 +97,8 @@ static inline void first_row_draw(first_run *k)
         }
 }
 
+static inline double first_row_clock(void) { return clock_of(CLOCK_PROCESS_CPUTIME_ID); }
+
 static inline double first_row_run(void *context)
 {
     first_run *k = context;
@@ -135,13 +137,15 @@ static inline void first_row(table *t, int six, const char *name, const studio_v
         return;
     }
     int w = j->width / first_row_part, h = j->height / first_row_part;
-    double pixels = (double)w * h, us[2], mean, rays = (double)j->samples;
+    double pixels = (double)w * h, us = 1e6 / pixels, mean, rays = (double)j->samples;
     char called[120] = "";
     first_plan p = first_plan_of(&f);
     first_camera c = first_camera_at(view->from, view->at, view->up, view->angle, w, h);
     first_run run[2] = {{false, j, &f, &p, c, image_new(w, h)},
                         {true, j, &f, &p, c, image_new(w, h)}};
-    bench_each(first_row_run, run, sizeof *run, 2, j->e->chance ? 1 : 5, 1e6 / pixels, us);
+    bench_candidate b[2] = {{.run = first_row_run, .context = &run[0]},
+                            {.run = first_row_run, .context = &run[1]}};
+    bench_time_by(first_row_clock, b, 2, j->e->chance ? 1 : 5);
     for (int e = 0; e < first_effects; e++) {
         rays += (double)first_rays[e] / pixels;
         if (p.on[e])
@@ -149,7 +153,8 @@ static inline void first_row(table *t, int six, const char *name, const studio_v
                      *called ? ", " : "", first_row_name[e]);
     }
     estimate d = first_row_off(&run[0].im, im, &mean), own = first_row_off(&run[1].im, im, &mean);
-    const double cell[] = {rays, (double)draw_rays(&j->counts) / draw_pixels(j), us[0], us[1],
+    const double cell[] = {rays, (double)draw_rays(&j->counts) / draw_pixels(j),
+                           b[0].seconds * us, b[1].seconds * us,
                            100 * d.mean / mean, 100 * estimate_error(d) / mean,
                            100 * sqrt(estimate_variance(d)) / mean,
                            100 * sqrt(estimate_variance(own)) / mean};
