@@ -127,13 +127,13 @@ static void test_whitted(void)
  * is lit in water is 1/n^2 as bright. */
 static void test_squeeze(void)
 {
-    #define CLEAR "camera from 0 0 9 at 0 0 0\nbackground 1\nmaterial water\nKd 0\nNi 1.25\n"      \
+    #define POOLS "camera from 0 0 9 at 0 0 0\nbackground 1\nmaterial water\nKd 0\nNi 1.25\n"      \
         "illum 7\nsphere 0 0 0 4\nmaterial glass\nKd 0\nNi 1.5\nillum 7\n"
-    #define BALL "sphere 0 0 0 1\n"
+    #define UNIT "sphere 0 0 0 1\n"
     static const struct { const char *text; real x, n; } eye[] = {
-        {CLEAR BALL, 0, (real)1.5}, {CLEAR BALL, 2, (real)1.25}, {CLEAR BALL, 9, 1},
-        {CLEAR "priority 1\n" BALL, 0, (real)1.5}, {CLEAR "priority 1\nsphere 3 0 0 2\n", 2, 1.5},
-        {CLEAR "material air\nNi 1\nTf 1\nillum 7\n" BALL, 0, 1}};
+        {POOLS UNIT, 0, (real)1.5}, {POOLS UNIT, 2, (real)1.25}, {POOLS UNIT, 9, 1},
+        {POOLS "priority 1\n" UNIT, 0, (real)1.5}, {POOLS "priority 1\nsphere 3 0 0 2\n", 2, 1.5},
+        {POOLS "material air\nNi 1\nTf 1\nillum 7\n" UNIT, 0, 1}};
     for (size_t k = 0; k < sizeof eye / sizeof *eye; k++) {
         set q;
         double worst = 0;
