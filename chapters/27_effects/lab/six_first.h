@@ -15,9 +15,9 @@
  * where the horizon passes through them.) A pixel of its picture is 5 x 5 of im, which has 25 times
  * its samples. Off by: the mean of all differences of pixels, over the mean of im; +-: its standard
  * error. Noise: what a pixel differs by, RMS, about that mean; of the full version's own picture of
- * that size, too. The two times are the processor's, of such pictures, by one thread. Its rays: of the eye, and what
- * first_rays counts: the points of the lamp that it draws, also those behind a surface, to which it
- * sends no ray.
+ * that size, too. The two times are the processor's, of such pictures, by one thread. Its rays: of
+ * the eye, and what first_rays counts: the points of the lamp that it draws, also those behind a
+ * surface, to which it sends no ray.
  */
 #ifndef EFFECTS_SIX_FIRST_H
 #define EFFECTS_SIX_FIRST_H
