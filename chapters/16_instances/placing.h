@@ -168,7 +168,8 @@ static inline aabb box_of_corners(affine m, const aabb *b)
     return w;
 }
 
-static inline aabb box_of_points(affine m, const vec3 *v, size_t n)
+__attribute__((noinline, hot, unused))  /* called once, it would be made small: ten times as slow */
+static aabb box_of_points(affine m, const vec3 *v, size_t n)
 {
     aabb w = aabb_empty();
     for (size_t i = 0; i < n; i++) w = aabb_grow_point(w, affine_point(m, v[i]));

@@ -13,83 +13,43 @@
 #include "flattened.h"
 #include "forest.h"
 
-/* A forest, its crowd, its instances with tight boxes, the rays from the eye to measure with. */
-typedef struct {
-    forest w;
-    crowd c;
-    instances x;
-    double build;                /* seconds */
-    ray_set eye;
-} instances_survey;
-
 typedef struct {
     const char *name;
     instances_boxes boxes;
     bool flat, unit, binary;     /* binary: the meshes in trees of 14 */
-    const instances_survey *s;
-    const crowd *c;              /* that it is built of */
     instances x;                 /* or, flattened: */
     mesh m;
     bvh8 b;
-    bvh_mesh two[forest_kinds];
+    bvh_mesh two[plant_kinds];
+    double megabytes;            /* without normals */
+    ray_set eye;                 /* to be timed with */
 } instances_method;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void survey_make(instances_survey *s, size_t n, const options *o)
+static inline void method_build(instances_method *m, const crowd *c)
 {
     failure f;
-    int width = o->quick ? 40 : 160, height = o->quick ? 25 : 100;
-    forest_plant(&s->w, n, o->seed);
-    s->c = (crowd){s->w.mesh, forest_kinds, s->w.list, s->w.n};
-    double start = clock_seconds();
-    if (!instances_build(&s->c, instances_defaults, &s->x, &f)) fail(f);
-    s->build = clock_seconds() - start;
-    s->eye = rays_primary(forest_camera((real)width / (real)height), width, height);
-}
-
-static inline void survey_free(instances_survey *s)
-{
-    rays_free(&s->eye), instances_free(&s->x), forest_free(&s->w);
-}
-
-/* Of the crowd m->c. */
-static inline void method_build(size_t i, void *methods)
-{
-    failure f;
-    instances_method *m = (instances_method *)methods + i;
-    const crowd *c = m->c;
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
     if (m->flat) m->m = crowd_flattened(c);
     const items flat = items_of_mesh(&m->m);
     if (m->flat ? !bvh8_build(&flat, bvh8_defaults, &m->b, &f)
                 : !instances_build(c, how, &m->x, &f)) fail(f);
-    for (size_t k = 0; m->binary && k < c->meshes; k++)
+    size_t bytes = mesh_bytes(&m->m) + m->b.room.bytes + m->x.bytes;
+    for (size_t k = 0; k < m->x.meshes; k++) {
+        bytes += mesh_bytes(&c->mesh[k]);
+        if (!m->binary) continue;
         if (!bvh_mesh_build(&c->mesh[k], bvh_defaults, &m->two[k], &f)) fail(f);
-}
-
-static inline void methods_build(instances_method *m, int n, const crowd *c)
-{
-    for (int k = 0; k < n; k++) m[k].c = c;
-    parallel_whole((size_t)n, 0, "building", method_build, m);
+        bytes += m->two[k].tree.held.bytes - m->x.lower[k].room.bytes;
+    }
+    m->megabytes = (double)bytes * 0x1p-20;
 }
 
 static inline void method_free(instances_method *m)
 {
     instances_free(&m->x), bvh8_free(&m->b), mesh_free(&m->m);
-    for (size_t k = 0; k < forest_kinds; k++) bvh_mesh_free(&m->two[k]);
-}
-
-/* Without the caller's meshes, if it is flattened. */
-static inline double method_megabytes(const instances_method *m)
-{
-    size_t bytes = m->flat ? mesh_bytes(&m->m) + m->b.room.bytes : m->x.bytes;
-    for (size_t k = 0; !m->flat && k < m->s->c.meshes; k++) {
-        bytes += mesh_bytes(&m->s->c.mesh[k]);
-        if (m->binary) bytes += m->two[k].tree.held.bytes - m->x.lower[k].room.bytes;
-    }
-    return (double)bytes * 0x1p-20;
+    for (size_t k = 0; k < plant_kinds; k++) bvh_mesh_free(&m->two[k]);
 }
 
 /* instances_leaf, but for the trees of the meshes. */
@@ -102,12 +62,10 @@ fast_inline bool binary_leaf(const void *context, uint32_t first, uint32_t count
     bool found = false;
     (void)any;
     for (const placed *p = b->c.x->place + first, *end = p + count; p < end; p++) {
-        const bvh_mesh *m = &b->lower[p->mesh];
         ray r;
         hit h;
-        if (!instance_ray(&p->to_object, q->r, &r)) continue;
-        if (!(b->c.lower ? bvh_mesh_hit_counted(m, r, &h, b->c.lower) : bvh_mesh_hit(m, r, &h)))
-            continue;
+        if (!instance_ray(&p->to_object, q->r, &r)
+            || !bvh_mesh_search(&b->lower[p->mesh], r, false, &h, b->c.lower)) continue;
         uint32_t k = h.shape;
         h.shape = p->index;
         if (query_improves(q, h)) *b->c.triangle = k, found = true;
@@ -115,23 +73,19 @@ fast_inline bool binary_leaf(const void *context, uint32_t first, uint32_t count
     return found;
 }
 
-static inline bool binary_hit(const instances_method *m, ray r, instance_hit *out,
-                              instances_work *work)
+/* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
+fast_inline bool method_hit(const instances_method *m, ray r, instance_hit *out,
+                            instances_work *work)
 {
-    const binary_context b = {{&m->x, &out->h.shape, work ? &work->lower : NULL, false}, m->two};
+    search_work *lower = work ? &work->lower : NULL, *upper = work ? &work->upper : NULL;
+    const binary_context b = {{&m->x, &out->h.shape, lower, false}, m->two};
     hit h;
-    if (!tree_search(&m->x.tree, r, instances_box_ray, binary_leaf, &b, false, &h,
-                     work ? &work->upper : NULL)) return false;
+    if (m->flat) return bvh8_ask(&m->b, r, bvh8_skip_none, &out->h, lower);
+    if (!m->binary) return instances_walk(&m->x, r, false, m->unit, out, work);
+    if (!tree_search(&m->x.tree, r, instances_box_ray, binary_leaf, &b, false, &h, upper))
+        return false;
     *out = (instance_hit){{h.t, h.u, h.v, out->h.shape}, h.shape};
     return true;
-}
-
-/* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
-static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
-{
-    if (m->flat) return bvh8_hit(&m->b, r, &h->h);
-    if (m->binary) return binary_hit(m, r, h, NULL);
-    return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
 static inline double method_search(void *context)
@@ -139,7 +93,7 @@ static inline double method_search(void *context)
     const instances_method *m = context;
     size_t hits = 0;
     instance_hit h;
-    for (size_t i = 0; i < m->s->eye.n; i++) hits += method_hit(m, m->s->eye.r[i], &h);
+    for (size_t i = 0; i < m->eye.n; i++) hits += method_hit(m, m->eye.r[i], &h, NULL);
     return (double)hits;
 }
 
@@ -152,12 +106,11 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
     forest w;
     forest_plant(&w, 60, seed);
     for (size_t i = 0; i < w.n; i++) w.list[i].to_world.o = vadd(w.list[i].to_world.o, to);
-    crowd c = {w.mesh, forest_kinds, w.list, w.n};
+    crowd c = forest_crowd(&w);
     affine *inverse = crowd_inverses(&c);
     vec3 eye = vadd(forest_camera(1).e, to);
     real bound = 64 * real_epsilon * (vlargest(to) + 100);
-    methods_build(m, methods, &c);
-    for (int k = 0; k < methods; k++) wrong[k] = 0;
+    for (int k = 0; k < methods; k++) wrong[k] = 0, method_build(&m[k], &c);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 9);
         const instance *p = &w.list[1 + random_next_bits(&g) % (w.n - 1)];
@@ -169,100 +122,103 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
         bool is = crowd_hit(&c, inverse, r, &due, &which);
         for (int k = 0; k < methods; k++) {
             instance_hit h = {hit_none, 0};
-            bool got = method_hit(&m[k], r, &h), same;
+            bool got = method_hit(&m[k], r, &h, NULL), same;
             if (m[k].flat) same = fabs(h.h.t - due.t) * vlength(r.d) <= bound;
             else same = h.h.t == due.t && h.h.shape == due.shape && h.instance == which;
             wrong[k] += is != got || (is && !same);
         }
     }
     for (int k = 0; k < methods; k++) method_free(&m[k]);
-    free(inverse);
-    forest_free(&w);
+    free(inverse), forest_free(&w);
 }
 
-/* How far both levels are searched for a ray from the eye: instances looked into, triangles. */
-static inline void method_work(const instances_method *m, double *entered, double *tests)
+/* Medians, of instances looked into and triangles tested for a ray from the eye means. */
+typedef struct { double entered, tests, ns; } method_cost;
+
+static inline void methods_time(instances_method *m, int n, ray_set eye, const options *o,
+                                method_cost *cost)
 {
-    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    double ns[8], rays = (double)eye.n;
     instance_hit h;
-    const ray_set *s = &m->s->eye;
-    for (size_t i = 0; i < s->n; i++) {
-        if (m->flat) bvh8_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
-        else if (m->binary) binary_hit(m, s->r[i], &h, &w);
-        else instances_hit_counted(&m->x, s->r[i], &h, &w);
+    for (int k = 0; k < n; k++) m[k].eye = eye;
+    bench_each(method_search, m, sizeof *m, n, o->full && !o->quick ? 5 : 1, 1e9 / rays, ns);
+    for (int k = 0; k < n; k++) {
+        instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+        for (size_t i = 0; i < eye.n; i++) method_hit(&m[k], eye.r[i], &h, &w);
+        cost[k] = (method_cost){(double)w.upper.tests / rays, (double)w.lower.tests / rays, ns[k]};
     }
-    *entered = (double)w.upper.tests / (double)s->n, *tests = (double)w.lower.tests / (double)s->n;
+}
+
+static inline ray_set eye_rays(const options *o)
+{
+    int width = o->quick ? 40 : 160, height = o->quick ? 25 : 100;
+    return rays_primary(forest_camera((real)width / (real)height), width, height);
 }
 
 static inline void table_of_methods(const options *o)
 {
     enum { n = 6 };
-    instances_survey s;
     instances_method m[n] = {
-        {"flattened, one tree", .boxes = INSTANCES_POINTS, .flat = true},
-        {"boxes of points", .boxes = INSTANCES_POINTS},
+        {"flattened, one tree", .flat = true}, {"boxes of points", .boxes = INSTANCES_POINTS},
         {"meshes as in 14", .boxes = INSTANCES_POINTS, .binary = true},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
-    double eye[n];
+    method_cost cost[n];
     size_t near[n], far[n], corners = o->quick ? 20 : 100;
-    vec3 earth = {4e7, 4e7, 0};  /* once round the earth, in metres */
-    survey_make(&s, o->quick ? 20 : 100, o);
+    ray_set eye = eye_rays(o);
+    forest w;
+    forest_plant(&w, o->quick ? 20 : 100, o->seed);
+    crowd c = forest_crowd(&w);
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
-    methods_wrong(m, n, earth, corners, o->seed, far);
-    methods_build(m, n, &s.c);
-    for (int i = 0; i < n; i++) m[i].s = &s;
-    bench_each(method_search, m, sizeof *m, n, o->full ? 5 : 1,
-               1e9 / (double)s.eye.n, eye);
+    methods_wrong(m, n, (vec3){4e7, 4e7, 0}, corners, o->seed, far);  /* once round the earth [m] */
+    for (int i = 0; i < n; i++) method_build(&m[i], &c);
+    methods_time(m, n, eye, o, cost);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
-             "answers of %zu at corners", s.c.n, flattened_triangles(&s.x), s.eye.n, corners);
+             "answers of %zu at corners", c.n, flattened_triangles(&m[1].x), eye.n, corners);
     table out = table_new(title, "method|memory [MB]|instances a ray|triangles a ray|error near|"
                                  "error far|time eye [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
                       "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
-        double entered, tests;
-        method_work(&m[i], &entered, &tests);
-        table_text(&out, "%s", m[i].name), table_number(&out, method_megabytes(&m[i]));
-        table_number(&out, entered), table_number(&out, tests);
-        table_count(&out, near[i]), table_count(&out, far[i]), table_number(&out, eye[i]);
-        plot_add(&p, plot_series(&p, m[i].name), eye[i], (double)far[i]);
+        table_text(&out, "%s", m[i].name), table_number(&out, m[i].megabytes);
+        table_number(&out, cost[i].entered), table_number(&out, cost[i].tests);
+        table_count(&out, near[i]), table_count(&out, far[i]), table_number(&out, cost[i].ns);
+        plot_add(&p, plot_series(&p, m[i].name), cost[i].ns, (double)far[i]);
         method_free(&m[i]);
     }
     output_table(o, &out);
     output_plot(o, &p, "16_instances_wrong_time.svg");
-    survey_free(&s);
+    rays_free(&eye), forest_free(&w);
 }
 
 /* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
 static inline void table_of_growth(const options *o)
 {
     double mb_a_triangle = 0;
+    ray_set eye = eye_rays(o);
     table out = table_new("Growth with the number of instances; flattened: built up to 100",
                           "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
                           "instances a ray|eye [ns]");
     for (size_t n = 1; n <= (o->quick ? 10 : 100000); n *= 10) {
-        instances_survey s;
-        double ns, entered, tests;
-        survey_make(&s, n, o);
-        instances_method two = {.x = s.x, .s = &s}, flat = {.flat = true, .s = &s};
-        bench_each(method_search, &two, sizeof two, 1, o->quick ? 1 : 5, 1e9 / (double)s.eye.n,
-                   &ns);
-        method_work(&two, &entered, &tests);
-        double triangles = flattened_triangles(&s.x);
-        if (n <= 100) {
-            methods_build(&flat, 1, &s.c);
-            mb_a_triangle = method_megabytes(&flat) / triangles;
-            method_free(&flat);
-        }
-        const double cell[] = {triangles, method_megabytes(&two), mb_a_triangle * triangles,
-                               s.build * 1e3, entered, ns};
+        instances_method two = {.boxes = INSTANCES_POINTS}, flat = {.flat = true};
+        method_cost cost;
+        forest w;
+        forest_plant(&w, n, o->seed);
+        crowd c = forest_crowd(&w);
+        double start = clock_seconds();
+        method_build(&two, &c);
+        double built = clock_seconds() - start, triangles = flattened_triangles(&two.x);
+        methods_time(&two, 1, eye, o, &cost);
+        if (n <= 100) method_build(&flat, &c), mb_a_triangle = flat.megabytes / triangles;
+        const double cell[] = {triangles, two.megabytes, mb_a_triangle * triangles, built * 1e3,
+                               cost.entered, cost.ns};
         table_count(&out, n);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
-        survey_free(&s);
+        method_free(&two), method_free(&flat), forest_free(&w);
     }
     output_extra_table(o, &out);
+    rays_free(&eye);
 }
 
 #endif

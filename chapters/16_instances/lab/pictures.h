@@ -6,8 +6,7 @@
 #ifndef INSTANCES_LAB_PICTURES_H
 #define INSTANCES_LAB_PICTURES_H
 
-#include "../../../common/lab/label.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "flattened.h"
 #include "forest.h"
@@ -21,7 +20,7 @@ cold_inline void draw_forest(const options *o, bool naive)
     failure f;
     double start = clock_seconds();
     forest_plant(&w, o->quick ? 300 : 9000, o->seed);
-    crowd c = {w.mesh, forest_kinds, w.list, w.n};
+    crowd c = forest_crowd(&w);
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
     double built = clock_seconds();
     image im = image_new(o->width, o->height);
@@ -29,13 +28,13 @@ cold_inline void draw_forest(const options *o, bool naive)
     int samples = o->quick || naive ? 1 : 2;
     forest_view v = {&w, &x, eye, o->width, o->height, naive};
     bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
-    size_t meshes = 0;
-    for (size_t k = 0; k < x.meshes; k++) meshes += mesh_bytes(&x.mesh[k]);
+    size_t bytes = x.bytes;
+    for (size_t k = 0; k < c.meshes; k++) bytes += mesh_bytes(&c.mesh[k]);
     if (!naive)
         printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
                "%.3f s, %d x %d pixels of %d rays in %.3f s\n", x.n, x.meshes,
-               flattened_triangles(&x), (double)(x.bytes + meshes) * 0x1p-20, built - start,
-               o->width, o->height, samples * samples, clock_seconds() - built);
+               flattened_triangles(&x), (double)bytes * 0x1p-20, built - start, o->width,
+               o->height, samples * samples, clock_seconds() - built);
     output_picture(o, &im, naive ? "16_instances_unit.png" : "16_instances.png", !naive, whole);
     instances_free(&x), forest_free(&w), image_free(&im);
 }
@@ -46,24 +45,22 @@ enum { pots = 4, pot_rows = 3 };
 typedef struct {
     const instances *x;
     const instance *list;
-    camera c[pot_rows];
-    int width, top[pot_rows + 1];
+    camera c;
+    int width, height, row;  /* of a panel; 0: by A^T n; 1: by M n; 2: the angle between */
 } pot_view;
 
-/* In three rows: by A^T n, by M n, and the angle between, white at 60 degrees. */
 static inline vec3 pot_colour(const void *context, real px, real py)
 {
     const pot_view *p = context;
-    int row = py < (real)p->top[1] ? 0 : py < (real)p->top[2] ? 1 : 2, top = p->top[row];
-    ray r = camera_ray(p->c[row], px, py - (real)top, p->width, p->top[row + 1] - top);
+    ray r = camera_ray(p->c, px, py, p->width, p->height);
     instance_hit h;
-    if (!instances_hit(p->x, r, &h)) return row < 2 ? vec(0.93, 0.93, 0.93) : vec(0, 0, 0);
+    if (!instances_hit(p->x, r, &h)) return p->row < 2 ? vec(0.93, 0.93, 0.93) : vec(0, 0, 0);
     const placed *at = &p->x->place[p->x->where[h.instance]];
     vec3 object = mesh_normal(&p->x->mesh[at->mesh], h.h.shape, h.h.u, h.h.v);
     vec3 n = normal_to_world(&at->to_object, object);
     vec3 naive = normal_naive(&p->list[h.instance].to_world, object);
-    if (row < 2) return headlight(row ? naive : n, r.d);
-    real off = mesh_angle(n, naive) / (pi / 3);
+    if (p->row < 2) return headlight(p->row ? naive : n, r.d);
+    real off = mesh_angle(n, naive) / (pi / 3);  /* white at 60 degrees */
     return (vec3){real_min(2 * off, 1), off, real_max(2 * off - 1, 0)};
 }
 
@@ -73,30 +70,30 @@ cold_inline void draw_normals(const options *o)
     static const char *const name[pot_rows] = {"A^T n", "M n",
                                                "angle: orange 30, white 60 degrees"};
     static const double along[pots] = {-10.2, -3.3, 3.6, 9.1};
+    panels_shape g = {.width = o->width, .height = o->height, .columns = 1, .rows = pot_rows,
+                      .side = o->quick ? 1 : 3, .tags = true};
     mesh m = teapot_mesh(o->quick ? 4 : 12);
     instance list[pots];
     instances x;
     camera_frame frame;
+    camera c;
     failure f;
-    pot_view v = {&x, list, .width = o->width};
+    panel p[pot_rows];
+    pot_view v[pot_rows];
     for (int i = 0; i < pots; i++) {
         affine a = affine_then(affine_scaling(scale[i]), affine_rotation((vec3){0, 0, 1}, -0.5));
         list[i] = (instance){affine_then(a, affine_translation(vec(along[i], 0, 0))), 0};
     }
-    crowd c = {&m, 1, list, pots};
-    if (!instances_build(&c, instances_defaults, &x, &f)
-        || !frame_look_at((vec3){0, -30, 12}, vec(0, 0, 1.9), (vec3){0, 0, 1}, &frame, &f)) fail(f);
-    for (int row = 0; row < pot_rows; row++) {
-        v.top[row + 1] = (row + 1) * o->height / pot_rows;
-        real half = 14.2, up = half * (real)(v.top[row + 1] - v.top[row]) / (real)o->width;
-        if (!camera_orthographic(frame, (camera_window){-half, half, -up, up}, &v.c[row], &f))
-            fail(f);
+    real half = 14.2, up = half * (real)panels_high(g) / (real)g.width;
+    if (!instances_build(&(crowd){&m, 1, list, pots}, instances_defaults, &x, &f)
+        || !frame_look_at((vec3){0, -30, 12}, vec(0, 0, 1.9), (vec3){0, 0, 1}, &frame, &f)
+        || !camera_orthographic(frame, (camera_window){-half, half, -up, up}, &c, &f)) fail(f);
+    for (int k = 0; k < pot_rows; k++) {
+        v[k] = (pot_view){&x, list, c, g.width, panels_high(g), k};
+        p[k] = (panel){name[k], &v[k]};
     }
-    image im = image_new(o->width, o->height);
-    bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &v);
-    for (int row = 0; row < pot_rows; row++) label_tag(&im, 0, v.top[row], 11, name[row]);
-    output_picture(o, &im, "16_instances_normals.png", false, whole);
-    image_free(&im), instances_free(&x), mesh_free(&m);
+    panels_draw(o, "16_instances_normals.png", false, g, pot_colour, p);
+    instances_free(&x), mesh_free(&m);
 }
 
 #endif

@@ -32,34 +32,30 @@ static inline mesh two_wall(void)
     return m;
 }
 
-static inline void two_box(figure *g, aabb b, const char *colour, double fill)
+static inline void two_box(figure *g, vec3 lo, vec3 hi, const char *colour, double fill)
 {
-    double x0 = (double)b.lo.x, y0 = (double)b.lo.y, x1 = (double)b.hi.x, y1 = (double)b.hi.y;
-    double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
-    figure_polygon(g, 4, xy, colour, fill, colour);
+    double x0 = (double)lo.x, y0 = (double)lo.y, x1 = (double)hi.x, y1 = (double)hi.y;
+    figure_polygon(g, 4, (double[]){x0, y0, x1, y0, x1, y1, x0, y1}, colour, fill, colour);
 }
 
-/* The world's tree: all its boxes, leaves filled. */
+/* The boxes of both trees: of the world's, leaves are filled. */
 static inline void two_upper(figure *g, const bvh_tree *tree)
 {
     for (size_t k = 0; k < tree->nodes; k++) {
         const bvh_node *n = &tree->node[k];
-        const aabb b = {vec(n->low[0], n->low[1], n->low[2]),
-                        vec(box_high(n, 0), box_high(n, 1), box_high(n, 2))};
-        if (k != 1) two_box(g, b, FIGURE_BLUE, n->count ? 0.1 : 0);  /* 1 is not used */
+        if (k == 1) continue;  /* not used */
+        two_box(g, vec(n->low[0], n->low[1], 0), vec(box_high(n, 0), box_high(n, 1), 0),
+                FIGURE_BLUE, n->count ? 0.1 : 0);
     }
 }
 
-/* The object's: up to eight children of each node, and its whole. */
-static inline void two_lower(figure *g, const bvh8 *w, aabb all)
+static inline void two_lower(figure *g, const bvh8 *w)
 {
-    two_box(g, all, FIGURE_PURPLE, 0.08);
     for (size_t k = 0; k < 8 * w->nodes; k++) {
-        const float *at = &w->node[k / 8].side[0][k % 8];
-        aabb b = {vec(at[0], at[8], at[16]), vec(at[24], at[32], at[40])};
-        if (!(b.lo.x <= b.hi.x)) continue;  /* an empty place */
-        b = (aabb){frame_back(&w->frame, b.lo), frame_back(&w->frame, b.hi)};
-        two_box(g, b, FIGURE_PURPLE, 0);
+        const float *at = &w->node[k / 8].side[0][k % 8];  /* the next side is 8 on */
+        if (!(at[0] <= at[24])) continue;                  /* an empty place */
+        two_box(g, frame_back(&w->frame, vec(at[0], at[8], 0)),
+                frame_back(&w->frame, vec(at[24], at[32], 0)), FIGURE_PURPLE, 0);
     }
 }
 
@@ -73,45 +69,38 @@ static inline void two_shape(figure *g, affine m, double fill)
     figure_polygon(g, two_corners, xy, FIGURE_GREEN, fill, FIGURE_BLACK);
 }
 
-static inline void two_dot(figure *g, ray r, real t, double radius, const char *colour)
-{
-    vec3 p = ray_at(r, t);
-    figure_dot(g, (double)p.x, (double)p.y, radius, colour);
-}
-
 /* Up to t = last, with a dot at each whole t from `from` on, numbered; red, where it hits. */
 static inline void two_ray(figure *g, ray r, int from, double last, real hit_at)
 {
     vec3 end = ray_at(r, (real)last), start = ray_at(r, (real)from - (from > 0 ? (real)0.4 : 0));
+    vec3 at = ray_at(r, hit_at);
     figure_arrow(g, (double)start.x, (double)start.y, (double)end.x, (double)end.y, FIGURE_ORANGE,
                  2);
     for (int t = from; t < last; t++) {
         vec3 p = ray_at(r, (real)t);
-        two_dot(g, r, (real)t, 3.5, FIGURE_BLACK);
+        figure_dot(g, (double)p.x, (double)p.y, 3.5, FIGURE_BLACK);
         figure_print(g, (double)p.x, (double)p.y, -3, -9, FIGURE_MIDDLE, FIGURE_BLACK, "%d", t);
     }
-    two_dot(g, r, hit_at, 5, FIGURE_RED);
+    figure_dot(g, (double)at.x, (double)at.y, 5, FIGURE_RED);
 }
 
-static inline affine two_place(double x, double y, double sx, double sy, double degrees)
+static inline instance two_place(double x, double y, double sx, double sy, double degrees)
 {
     affine a = affine_scaling(vec(sx, sy, 1));
     a = affine_then(a, affine_rotation((vec3){0, 0, 1}, (real)degrees * pi / 180));
-    return affine_then(a, affine_translation(vec(x, y, 0)));
+    return (instance){affine_then(a, affine_translation(vec(x, y, 0))), 0};
 }
 
 cold_inline void draw_two_levels(const options *o)
 {
-    const instance list[two_instances] = {{two_place(1.5, 3.7, 0.5, 0.6, 14), 0},
-                                          {two_place(3.4, 1.15, 0.8, 0.6, -25), 0},
-                                          {two_place(5.55, 3.3, 0.75, 0.75, 30), 0},
-                                          {two_place(7.4, 1.6, -0.9, 1.1, 8), 0}};
+    const instance list[two_instances] = {
+        two_place(1.5, 3.7, 0.5, 0.6, 14), two_place(3.4, 1.15, 0.8, 0.6, -25),
+        two_place(5.55, 3.3, 0.75, 0.75, 30), two_place(7.4, 1.6, -0.9, 1.1, 8)};
     mesh m = two_wall();
-    crowd c = {&m, 1, list, two_instances};
     instances x;
     instance_hit h = {hit_none, 0};
     failure f;
-    if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
+    if (!instances_build(&(crowd){&m, 1, list, two_instances}, instances_defaults, &x, &f)) fail(f);
     ray r = ray_from(vec(0.1, 1.3, 0), vec(1.02, 0.39, 0)), in;
     instances_hit(&x, r, &h);
     if (!instance_ray(&x.place[x.where[h.instance]].to_object, r, &in))
@@ -126,7 +115,8 @@ cold_inline void draw_two_levels(const options *o)
     figure_text(&g, 0, 0, 0, 30, FIGURE_LEFT, FIGURE_BLUE,
                 "the world: TLAS, boxes round instances");
     figure_origin(&g, 778, 160, 62);
-    two_lower(&g, &x.lower[0], x.box[0]);
+    two_box(&g, x.box[0].lo, x.box[0].hi, FIGURE_PURPLE, 0.08);
+    two_lower(&g, &x.lower[0]);
     two_shape(&g, affine_translation((vec3){0, 0, 0}), 0.8);
     two_ray(&g, in, (int)h.h.t, (double)h.h.t + 1.3, h.h.t);
     figure_origin(&g, 612, 318, 1);
