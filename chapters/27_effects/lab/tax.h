@@ -99,7 +99,7 @@ static inline double tax_own(void *context)
     render_job j = {.tracer = &t, .eye = k->here.e->eye, .seed = 1, .threads = 1};
     film f = film_new(k->im.width, k->im.height);
     k->stopped |= !passes_range(render_passes(&j), &f, 0, (uint32_t)k->here.samples);
-    k->rays = path_rays(&j.counts);
+    k->rays = path_rays(&j.counts), k->here.error = film_error(&f);
     film_free(&f), path_tracer_free(&t);
     return (double)k->rays;
 }
@@ -139,6 +139,9 @@ static inline bool tax_add(const options *o, table *t, tax_row row, double *leas
     for (int i = 0; i < 2; i++)
         table_number(t, ns[i] = k[i].seconds / (double)run[i].rays * 1e9), image_free(&run[i].im);
     table_number(t, ns[0] / ns[1]);
+    for (int i = 0; i < 2; i++)
+        if (paths) table_number(t, run[i].here.error);
+        else table_text(t, "-");
     *least = fmin(*least, ns[0] / ns[1]);
     if (paths) lit_free(&run[0].lit);
     else classic_free(&run[0].c);
@@ -150,7 +153,7 @@ static inline bool table_of_tax(const options *o, double *least)
 {
     table t = table_new("The general program against the chapters' own, in turn, one thread",
                         "scene|chapter|rays a sample: its own|here|its own [ns/ray]|here [ns/ray]|"
-                        "ratio of speeds");
+                        "ratio of speeds|its own error (26.7)|here");
     bool whole = true;
     *least = HUGE_VAL;
     for (int k = 0; k < tax_rows && whole; k++) whole = tax_add(o, &t, (tax_row)k, least);
