@@ -653,6 +653,16 @@ static void test_alone(void)
 
 /* Costs. --------------------------------------------------------------------------------------- */
 
+/* Seconds to build, and of the one ray that was asked. */
+static comparison timed(const line_up *all, const double *build, const double *seconds)
+{
+    comparison s = {.entries = all->n, .rays = {{NULL, 1}}};
+    for (int k = 0; k < all->n; k++)
+        s.entry[k] = (compare_entry){.choice = &all->of[k], .c = all->of[k].c, .fits = true,
+                                     .build = build[k], .rays = {1}, .seconds = {seconds[k]}};
+    return s;
+}
+
 static void test_costs(void)
 {
     comparison s = {.entries = 2};
@@ -688,11 +698,8 @@ static void test_fewer(void)
 static void test_cheapest(void)
 {
     static const double build[4] = {0, 10, 9.8, 50}, seconds[4] = {100, 50, 47, 20};
-    comparison s = {.entries = 4};
-    for (int k = 0; k < 4; k++)
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .build = build[k],
-                                     .rays = {1}, .seconds = {seconds[k]}, .fits = true};
-    s.rays[0].n = 1;
+    line_up four = chosen_of("bvh,bvh,bvh,bvh");
+    comparison s = timed(&four, build, seconds);
     double from = 0;
     const compare_entry *e = cost_next(&s, &s.entry[0], &from);
     check(e == &s.entry[1], "the next is the earlier in the list");
@@ -707,13 +714,8 @@ static void test_cheapest(void)
 static void test_winners(void)
 {
     static const double seconds[3] = {3e-6, 1e-6, 2e-6}, build[3] = {0, 5, 0.5};
-    line_up three = {.n = 0};
-    choose(&three, &brute_contender), choose(&three, &grid_contender);
-    choose(&three, &nested_contender);
-    comparison s = {.entries = 3, .rays = {{NULL, 1}}};
-    for (int k = 0; k < 3; k++)
-        s.entry[k] = (compare_entry){.choice = &three.of[k], .c = three.of[k].c, .fits = true,
-                                     .build = build[k], .rays = {1}, .seconds = {seconds[k]}};
+    line_up three = chosen_of("brute,grid,nested");
+    comparison s = timed(&three, build, seconds);
     check(strcmp(summary_fastest(&s, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
     check(strcmp(summary_fastest(&s, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
     s.entry[2].seconds[0] = 0.98e-6;
@@ -763,19 +765,14 @@ static void test_growth(void)
  * slow, and who is the quickest to build stays. */
 static void test_growth_leaves(void)
 {
-    static const struct { const contender *c; double build, ray; bool fits, out; } list[] = {
-        {&brute_contender, 0, 500, true, false}, {&bvh_contender, 5, 1, true, false},
-        {&grid_contender, 6, 1, true, true}, {&octree_contender, 5, 101, true, true},
-        {&kdtree_contender, 5, 99, true, false}, {&bsp_contender, 0, 0, false, true}};
-    enum { n = sizeof list / sizeof *list };
-    line_up now = {.n = n};
-    comparison s = {.entries = n, .rays = {{NULL, 1}}};
-    for (int k = 0; k < n; k++)
-        s.entry[k] = (compare_entry){.c = list[k].c, .fits = list[k].fits, .build = list[k].build,
-                                     .rays = {1}, .seconds = {list[k].ray}};
+    static const double build[6] = {0, 5, 6, 5, 5, 0}, seconds[6] = {500, 1, 1, 101, 99, 0};
+    static const bool out[6] = {false, false, true, true, false, true};
+    line_up now = chosen_of("brute,bvh,grid,octree,kdtree,bsp");
+    comparison s = timed(&now, build, seconds);
+    s.entry[5].fits = false;
     growth_leave(&s, &now);
-    for (int k = 0; k < n; k++)
-        check(now.of[k].out == list[k].out, "%s: in or out", list[k].c->name);
+    for (int k = 0; k < now.n; k++)
+        check(now.of[k].out == out[k], "%s: in or out", now.of[k].label);
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
@@ -826,25 +823,11 @@ static void test_misuse(void)
     test_dialogue(&(dialogue){1, "--mesh /nowhere/x.obj", {"err", "x.obj"}}, 1);
 }
 
-static void put_float(FILE *out, real x)
-{
-    float f = (float)x;
-    uint32_t bits;
-    memcpy(&bits, &f, sizeof bits);
-    for (int k = 0; k < 4; k++) putc((int)(bits >> 8 * k & 255), out);
-}
-
 static void write_rays(const char *path, const world *w, size_t n)
 {
     ray_set s = rays_aimed(w, n, 9);
-    FILE *out = fopen(path, "wb");
-    if (!out) abort();
-    for (size_t i = 0; i < n; i++) {
-        const ray *r = &s.r[i];
-        real x[8] = {r->o.x, r->o.y, r->o.z, r->tmin, r->d.x, r->d.y, r->d.z, r->tmax};
-        for (int k = 0; k < 8; k++) put_float(out, x[k]);
-    }
-    if (fclose(out) != 0) abort();
+    failure f;
+    if (!rays_write(path, s.r, n, &f)) fail(f);
     rays_free(&s);
 }
 
@@ -1008,13 +991,9 @@ static void test_knobs(void)
 /* One that another beats at both is not on the front. */
 static void test_front(void)
 {
-    comparison s = {.entries = 3};
     const double build[3] = {1, 2, 3}, seconds[3] = {3, 4, 1};
-    for (int k = 0; k < 3; k++) {
-        s.entry[k] = (compare_entry){.c = &bvh_contender, .fits = true, .build = build[k],
-                                     .rays = {1}, .seconds = {seconds[k]}};
-    }
-    s.rays[0].n = 1;
+    line_up three = chosen_of("bvh,bvh,bvh");
+    comparison s = timed(&three, build, seconds);
     check(sweep_on_front(&s, &s.entry[0]) && sweep_on_front(&s, &s.entry[2]),
           "each is best at one");
     check(!sweep_on_front(&s, &s.entry[1]), "slower than the first at both");
