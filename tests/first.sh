@@ -97,15 +97,14 @@ for main in chapters/*/first.c; do
         if [ $status -eq 2 ] && [ "$(grep -c "^$name: " "$alone/err")" -eq 1 ] && [ ! -s "$alone/out" ]; then ok
         else no "$name $bad ended with $status: $(head -n 2 "$alone/err")"; fi
     done
-    if [ -f "images/$name.png" ]; then ok; else no "images/$name.png is not there"; fi
+    wide=640; case $name in 0[34569]_*|1[01236]_*) wide=480 ;; esac
+    width=$(od -An -tu1 -j16 -N4 "images/$name.png" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')
+    if [ "$width" -ge $wide ]; then ok; else no "images/$name.png is ${width:-not there or 0} wide, $wide at least are wanted"; fi
     count=$((count + 1))
     [ $((count % every)) -eq $((3 % every)) ] || continue
     if (cd "$alone" && "./$name" >out 2>err); then ok; else no "$name: $(head -n 3 "$alone/err")"; continue; fi
     folder=images; [ "${REAL:-double}" = float ] && folder=build
     if [ "$(tail -n 1 "$alone/out")" = "-> $folder/$name.png" ]; then ok; else no "$name: does not say where its picture is"; fi
-    wide=480; case $name in 21_*|25_*|26_*) wide=320 ;; esac
-    width=$(od -An -tu1 -j16 -N4 "$alone/$folder/$name.png" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')
-    if [ "$width" -ge $wide ]; then ok; else no "$name: its picture is $width wide, $wide at least are wanted"; fi
     # The committed picture; or, where the C library rounds otherwise, that of this build. In float none is
     # committed, and this build's program has drawn already.
     if [ "$folder" = build ] && [ -z "${WHOLE:-}" ]; then :
