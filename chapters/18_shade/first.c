@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade_first chap
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 600, height = 400, n = 3 };
+enum { width = 640, height = 360, n = 3 };
 
 static first_scene build(void)
 {
@@ -30,7 +30,7 @@ int main(int argc, char **argv)
     const char *path = picture_path(argc, argv, "18_shade_first");
     image im = image_new(width, height);
     first_scene s = build(), without = s;
-    first_camera c = first_camera_at(vec(1.5, 4.2, 9), vec(0, 0.7, 0), vec(0, 1, 0), 36,
+    first_camera c = first_camera_at(vec(1.5, 4.2, 9), vec(0, 0.55, 0), vec(0, 1, 0), 31,
                                      width, height);
     without.eps = 0;
     for (int y = 0; y < height; y++)

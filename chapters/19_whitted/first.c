@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted_first ch
 #include "../../common/image.h"
 #include "first.h"
 
-enum { width = 512, height = 320, n = 3, depth = 8 };
+enum { width = 640, height = 320, n = 3, depth = 8 };
 
 int main(int argc, char **argv)
 {
