@@ -1,11 +1,11 @@
-/* 22 The floor under a lamp. Left by 200 directions a point, right by the formula.
+/* 22 The floor under a lamp. Left by 150 directions a point, right by the formula.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry_first chapters/22_radiometry/first.c -lm
    Dark rings: there the irradiance E is a multiple of 0.2 W/m^2. */
 #include "../../common/image.h"
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 484, height = 300, N = 200 };
+enum { width = 640, height = 320, N = 150 };
 
 int main(int argc, char **argv)
 {
@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     const real L = 4;
     const vec3 up = vec(0, 1, 0);
     image im = image_new(width, height);
-    first_camera c = first_camera_at(vec(0, 3.6, 7.5), vec(0, 0.75, 0), up, 38, width, height);
+    first_camera c = first_camera_at(vec(0, 5, 7), vec(0, 0.6, 0), up, 34, width, height);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
             ray r = first_camera_ray(c, x + 0.5, y + 0.5);
@@ -30,7 +30,7 @@ int main(int argc, char **argv)
                     random_stream random = random_start(1, y * width + x, 0);
                     E = first_mean(first_irradiance_by_directions(lamp, L, p, up, N, &random));
                 }
-                seen = vscale(vec(1, 0.85, 0.6), 0.5 * E * (!left && ring < 0.03 ? 0.6 : 1));
+                seen = vscale(vec(1, 0.85, 0.6), 0.9 * E * (!left && ring < 0.03 ? 0.6 : 1));
             }
             if (x == width / 2) seen = vec(0.1, 0.1, 0.1);
             image_set(&im, x, y, seen);
