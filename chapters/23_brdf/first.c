@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf_first chapt
 #include "../03_sphere/first.h"
 #include "first.h"
 
-enum { width = 560, height = 290, balls = 8, N = 20, n = 2 };
+enum { width = 640, height = 300, balls = 8, N = 25, n = 2 };
 
 /* The first ball is matte. */
 static first_brdf coat(int i)
@@ -20,7 +20,7 @@ static vec3 colour(ray r, random_stream *random)
 {
     hit h;
     for (int i = 0; i < balls; i++) {
-        sphere s = {vec((i % 4 - 1.5) * 2.25, i < 4 ? 1.14 : -1.14, 0), 1};
+        sphere s = {vec((i % 4 - 1.5) * 2.5, i < 4 ? 1.14 : -1.14, 0), 1};
         if (!first_sphere_hit(s, r, &h)) continue;
         vec3 normal = first_sphere_normal(s, ray_at(r, h.t));
         return first_reflection(coat(i), normal, vneg(vunit(r.d)), N, random);
@@ -32,7 +32,7 @@ int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "23_brdf_first");
     image im = image_new(width, height);
-    first_camera c = first_camera_at(vec(0, 0, 14), vec(0, 0, 0), vec(0, 1, 0), 19.5,
+    first_camera c = first_camera_at(vec(0, 0, 14), vec(0, 0, 0), vec(0, 1, 0), 20,
                                      width, height);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
