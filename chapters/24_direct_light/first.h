@@ -81,4 +81,10 @@ static inline first_camera first_cornell_camera(int nx, int ny)
 {
     return first_camera_at(vec(2.78, 2.73, -8), vec(2.78, 2.73, 0), vec(0, 1, 0), 39.3077, nx, ny);
 }
+
+/* The same without the dark rim round the box. */
+static inline first_camera first_cornell_inside(int nx, int ny)
+{
+    return first_camera_at(vec(2.78, 2.73, -8), vec(2.78, 2.73, 0), vec(0, 1, 0), 37.5, nx, ny);
+}
 #endif
