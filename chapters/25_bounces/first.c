@@ -1,21 +1,21 @@
-/* 25 The terms of L = E + K E + K^2 E + ...: light reflected no time, once, twice, three times.
+/* 25 The terms of L = E + K E + K^2 E + ...: light reflected once, twice, three times.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces_first chapters/25_bounces/first.c -lm
-   Below, the sums so far. Shown twice as bright. */
+   Below, the sums so far, with E, the lamp. Shown twice as bright. */
 #include "../../common/image.h"
 #include "first.h"
 
-enum { side = 144, n = 5, terms = 4, N = 1 };
+enum { side = 214, n = 4, terms = 3, N = 1 };
 
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "25_bounces_first");
     image im = image_new(terms * side, 2 * side);
     first_scene s = first_cornell();
-    first_camera c = first_cornell_camera(side, side);
+    first_camera c = first_cornell_inside(side, side);
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++) {
             vec3 all = vec(0, 0, 0);
-            for (int k = 0; k < terms; k++) {
+            for (int k = 0; k <= terms; k++) {
                 vec3 sum = vec(0, 0, 0);
                 for (int i = 0; i < n * n; i++) {
                     random_stream random = random_start(k + 1, y * side + x, i);
@@ -23,8 +23,9 @@ int main(int argc, char **argv)
                 }
                 vec3 term = vscale(sum, 1.0 / (n * n));
                 all = vadd(all, term);
-                image_set(&im, k * side + x, y, vscale(term, 2));
-                image_set(&im, k * side + x, side + y, vscale(all, 2));
+                if (k == 0) continue;
+                image_set(&im, (k - 1) * side + x, y, vscale(term, 2));
+                image_set(&im, (k - 1) * side + x, side + y, vscale(all, 2));
             }
         }
     printf("rays for one eye ray, up to K^5 E, if each hit sends N:\n");
