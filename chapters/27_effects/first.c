@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects_first ch
 #include "../../common/image.h"
 #include "first.h"
 
-enum { width = 200, height = 200, scenes = 3 };
+enum { width = 214, height = 214, scenes = 3 };
 
 static first_scene one_ball(void)
 {
@@ -23,11 +23,12 @@ int main(int argc, char **argv)
     const first_scene scene[scenes] = {one_ball(), first_two_balls(), first_cornell()};
     const first_camera camera[scenes] = {
         first_camera_at(vec(0, 2, 8), vec(0, 1, 0), vec(0, 1, 0), 36, width, height),
-        first_two_balls_camera(width, height), first_cornell_camera(width, height)};
+        first_camera_at(vec(0.6, 2.1, 7.2), vec(0.1, 0.85, 0), vec(0, 1, 0), 43, width, height),
+        first_cornell_inside(width, height)};
     image im = image_new(scenes * width, height);
     for (int i = 0; i < scenes; i++) {
         first_plan p = first_plan_of(&scene[i]);
-        int n = p.on[first_bounces] ? 6 : p.on[first_glass] ? 4 : 3;
+        int n = p.on[first_bounces] ? 5 : p.on[first_glass] ? 4 : 3;
         memset(first_rays, 0, sizeof first_rays);
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x++) {
