@@ -4,9 +4,9 @@
 # A figure has two significant digits or more; whole numbers below 28 without a unit are left (chapters are numbered so),
 # and so are formulas, `code`, links, sizes as 640 x 480, references as (9.1), section 26.1, years, and the sources.
 # It is known if a table or a block of the chapter's pages shows it, or its code, outside comments, has it: to as many
-# digits as are said, 60 % for 0.599, 17.9 million for 17900000. It need not be if its paragraph names a test or a
-# command: but not the one that prints the tables, since what that prints is there to be compared. Numbers of tests do
-# not count by themselves: among so many any number is found.
+# digits as are said, 60 % for 0.599, 17.9 million for 17900000. It need not be if its paragraph names a command: but
+# not the one that prints the tables, since what that prints is there to be compared. If it names a test, the numbers of
+# the tests of the chapter and of those that its pages name count, too; else not: among so many any number is found.
 
 # What a page says besides figures, and that may hold digits.
 function plain(text) {
@@ -39,7 +39,10 @@ function asked() {
     if (whole && value < 28 && rest !~ /^ ?(%|x |times|ns|us|ms|seconds|bytes)/) return 0
     return !(whole && word !~ /,/ && value < 2030 && value > (before ~ /in $/ ? 1600 : 1950) && value != 2000)
 }
-function near(v, h,   i) { for (i = 1; i <= n; i++) if (have[i] >= v - h && have[i] <= v + h) return 1; return 0 }
+function near(v, h,   i) {
+    for (i = 1; i <= n; i++) if (have[i] >= v - h && have[i] <= v + h && (tested || !(i in of_test))) return 1
+    return 0
+}
 function known() {
     if (near(value, half)) return 1
     if (rest ~ /^ ?%/) return near(value / 100, half / 100)
@@ -47,7 +50,11 @@ function known() {
     if (rest ~ /^ million/) return near(value * 1e6, half * 1e6)
     return rest ~ /^ billion/ && near(value * 1e9, half * 1e9)
 }
-function source(text) { rest = text; while (next_number()) if (!(value in seen)) { seen[value] = 1; have[++n] = value } }
+function source(text) {
+    rest = text
+    while (next_number())
+        if (!((value, in_test) in seen)) { seen[value, in_test] = 1; have[++n] = value; if (in_test) of_test[n] = 1 }
+}
 # A line of code without its comments, which are sentences, too.
 function uncommented(line) {
     if (comment && !match(line, /\*\//)) return ""
@@ -57,12 +64,12 @@ function uncommented(line) {
     return comment ? substr(line, 1, RSTART - 1) : line
 }
 function paragraph() { if (said != "") { text[++paragraphs] = said; where[paragraphs] = start }; said = "" }
-function has_witness(text) {
+function has_command(text) {
     gsub(/`[^`]*(--full|make (run|full)-)[^`]*`/, " ", text)
-    return text ~ /`[^`]*(build\/|make |valgrind|--[a-z]|-O[0-3]|-march)[^`]*`|test_[a-z]|tests\/[0-9a-z]/
+    return text ~ /`[^`]*(build\/|make |valgrind|--[a-z]|-O[0-3]|-march)[^`]*`/
 }
 
-FNR == 1 { paragraph(); page = FILENAME ~ /\.md$/; fence = comment = sources = 0 }
+FNR == 1 { paragraph(); page = FILENAME ~ /\.md$/; in_test = FILENAME ~ /^tests\//; fence = comment = sources = 0 }
 !page { source(uncommented($0)); next }
 /^```/ { paragraph(); fence = !fence; next }
 /^    |^ *\|/ || fence { paragraph(); if ($0 !~ /real = (double|float)$/) source($0); next }
@@ -74,7 +81,8 @@ sources || /^\*Sources?:/ { next }
 END {
     paragraph()
     for (k = 1; k <= paragraphs; k++) {
-        if (has_witness(text[k])) continue
+        if (has_command(text[k])) continue
+        tested = text[k] ~ /test_[a-z]|tests\/[0-9a-z]/
         rest = plain(text[k])
         while (next_number()) if (asked() && !known()) print where[k] ": " word
     }
