@@ -23,6 +23,7 @@ typedef struct {
     bvh_mesh two[plant_kinds];
     double megabytes;            /* without normals */
     ray_set eye;                 /* to be timed with */
+    double entered, tests;       /* of these: instances looked into and triangles tested a ray */
 } instances_method;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -132,21 +133,18 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
     free(inverse), forest_free(&w);
 }
 
-/* Medians, of instances looked into and triangles tested for a ray from the eye means. */
-typedef struct { double entered, tests, ns; } method_cost;
-
 static inline void methods_time(instances_method *m, int n, ray_set eye, const options *o,
-                                method_cost *cost)
+                                double *ns)
 {
-    double ns[8], rays = (double)eye.n;
+    double rays = (double)eye.n;
     instance_hit h;
-    for (int k = 0; k < n; k++) m[k].eye = eye;
-    bench_each(method_search, m, sizeof *m, n, o->full && !o->quick ? 5 : 1, 1e9 / rays, ns);
     for (int k = 0; k < n; k++) {
         instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
         for (size_t i = 0; i < eye.n; i++) method_hit(&m[k], eye.r[i], &h, &w);
-        cost[k] = (method_cost){(double)w.upper.tests / rays, (double)w.lower.tests / rays, ns[k]};
+        m[k].entered = (double)w.upper.tests / rays, m[k].tests = (double)w.lower.tests / rays;
+        m[k].eye = eye;
     }
+    bench_each(method_search, m, sizeof *m, n, o->full ? 5 : 1, 1e9 / rays, ns);
 }
 
 static inline ray_set eye_rays(const options *o)
@@ -163,7 +161,7 @@ static inline void table_of_methods(const options *o)
         {"meshes as in 14", .boxes = INSTANCES_POINTS, .binary = true},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
-    method_cost cost[n];
+    double ns[n];
     size_t near[n], far[n], corners = o->quick ? 20 : 100;
     ray_set eye = eye_rays(o);
     forest w;
@@ -172,7 +170,7 @@ static inline void table_of_methods(const options *o)
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
     methods_wrong(m, n, (vec3){4e7, 4e7, 0}, corners, o->seed, far);  /* once round the earth [m] */
     for (int i = 0; i < n; i++) method_build(&m[i], &c);
-    methods_time(m, n, eye, o, cost);
+    methods_time(m, n, eye, o, ns);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
              "answers of %zu at corners", c.n, flattened_triangles(&m[1].x), eye.n, corners);
@@ -182,9 +180,9 @@ static inline void table_of_methods(const options *o)
                       "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
         table_text(&out, "%s", m[i].name), table_number(&out, m[i].megabytes);
-        table_number(&out, cost[i].entered), table_number(&out, cost[i].tests);
-        table_count(&out, near[i]), table_count(&out, far[i]), table_number(&out, cost[i].ns);
-        plot_add(&p, plot_series(&p, m[i].name), cost[i].ns, (double)far[i]);
+        table_number(&out, m[i].entered), table_number(&out, m[i].tests);
+        table_count(&out, near[i]), table_count(&out, far[i]), table_number(&out, ns[i]);
+        plot_add(&p, plot_series(&p, m[i].name), ns[i], (double)far[i]);
         method_free(&m[i]);
     }
     output_table(o, &out);
@@ -202,17 +200,17 @@ static inline void table_of_growth(const options *o)
                           "instances a ray|eye [ns]");
     for (size_t n = 1; n <= (o->quick ? 10 : 100000); n *= 10) {
         instances_method two = {.boxes = INSTANCES_POINTS}, flat = {.flat = true};
-        method_cost cost;
+        double ns;
         forest w;
         forest_plant(&w, n, o->seed);
         crowd c = forest_crowd(&w);
         double start = clock_seconds();
         method_build(&two, &c);
         double built = clock_seconds() - start, triangles = flattened_triangles(&two.x);
-        methods_time(&two, 1, eye, o, &cost);
+        methods_time(&two, 1, eye, o, &ns);
         if (n <= 100) method_build(&flat, &c), mb_a_triangle = flat.megabytes / triangles;
         const double cell[] = {triangles, two.megabytes, mb_a_triangle * triangles, built * 1e3,
-                               cost.entered, cost.ns};
+                               two.entered, ns};
         table_count(&out, n);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
         method_free(&two), method_free(&flat), forest_free(&w);
