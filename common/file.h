@@ -67,8 +67,7 @@ static inline void file_drop_begun(void)
 /* The signal ends the program as it would anyway. */
 static inline void file_on_signal(int number)
 {
-    file_drop_begun();
-    signal(number, SIG_DFL), raise(number);
+    file_drop_begun(), signal(number, SIG_DFL), raise(number);
 }
 
 /* Ctrl-C, kill, a closed terminal, a reader that has left (| head), no time left (ulimit -t);
@@ -83,9 +82,8 @@ static inline void file_watch_signals(void)
 /* Prints "program: text" on stderr and ends the program with f.exit_code, never with 0. */
 static inline _Noreturn void fail(failure f)
 {
-    fflush(stdout);
+    fflush(stdout), file_drop_begun();
     fprintf(stderr, "%s: %s\n", program_name, f.text);
-    file_drop_begun();
     exit(f.exit_code ? f.exit_code : 1);
 }
 
@@ -156,10 +154,9 @@ static inline FILE *file_open(const char *path, failure *f)
     snprintf(file_last, sizeof file_last, "%s", path);
     if (there && S_ISDIR(s.st_mode)) errno = EISDIR;
     else if (there && !S_ISREG(s.st_mode) && !S_ISFIFO(s.st_mode)
-             && strcmp(path, "/dev/null") != 0) {
-        failed(f, 1, "%.300s: cannot read: a device, not a file", path);
-        return NULL;
-    } else in = fopen(path, "rb");
+             && strcmp(path, "/dev/null") != 0)
+        return failed(f, 1, "%.300s: cannot read: a device, not a file", path), NULL;
+    else in = fopen(path, "rb");
     if (in && there) file_keep(&s);
     if (!in) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
     return in;
@@ -212,8 +209,7 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
     }
     if (w->stream) return errno = 0, true;  /* a write that fails will set it: see file_commit */
     failed(f, 1, "%.300s: cannot write: %s", path, strerror(errno));
-    file_abandon(w);
-    return false;
+    return file_abandon(w), false;
 }
 
 /* Closes and renames the temporary file to `path`. False: the old file is still there. */
@@ -225,8 +221,7 @@ static inline bool file_commit(file_writer *w, failure *f)
     if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
     if (!written) failed(f, 1, "%.300s: cannot write: %s", w->path, strerror(errno ? errno : EIO));
     else file_note(w->temporary, NULL), free(w->temporary), w->temporary = NULL;
-    file_abandon(w);
-    return written;
+    return file_abandon(w), written;
 }
 
 /* Whether file_begin will succeed. A pipe is not tried: to its reader that would be the end. */
@@ -239,20 +234,30 @@ static inline bool file_try(const char *path, failure *f)
     return ok;
 }
 
+#define file_endless "%.300s: no end: 256 MB from a pipe, allowed: a file on a disk"
+static size_t file_pipe_most = (size_t)1 << 28;  /* bytes that are read of what may never end */
+
+static inline size_t file_most(FILE *in)
+{
+    struct stat s;
+    return fstat(fileno(in), &s) == 0 && !S_ISREG(s.st_mode) ? file_pipe_most : SIZE_MAX;
+}
+
 /* The whole file, with a 0 behind its last byte; NULL if it can't be read. The caller frees. */
 static inline char *file_read(const char *path, size_t *size, failure *f)
 {
     FILE *in = file_open(path, f);
-    size_t room = 0, n = 0, got = 1;
+    size_t room = 0, n = 0, got = 1, most = in ? file_most(in) : 0;
     char *text = NULL;
-    while (in && got > 0) {  /* a pipe does not tell its size */
+    while (in && got > 0 && n <= most) {  /* a pipe does not tell its size */
         text = grown(text, n + 1, &room, 1);
         n += got = fread(text + n, 1, room - 1 - n, in);
     }
-    bool ok = in && !ferror(in);
-    if (in && !ok) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno)), free(text);
+    bool ok = in && n <= most && !ferror(in);
+    if (in && n > most) failed(f, 2, file_endless, path);
+    else if (in && !ok) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
     if (in) fclose(in);
-    *size = n;
-    return ok ? text : NULL;
+    if (!ok) free(text), text = NULL;
+    return *size = n, text;
 }
 #endif

@@ -92,8 +92,7 @@ static inline image_difference image_compare(const image *a, const image *b)
     for (size_t i = 0; i < n; i++) {
         double r = (double)b->rgb[i], e = (double)a->rgb[i] - r;
         if (!isfinite(e)) continue;
-        d.rmse += e * e;
-        d.relative_mse += e * e / (r * r + 0.01);
+        d.rmse += e * e, d.relative_mse += e * e / (r * r + 0.01);
         d.maximum = fabs(e) > d.maximum ? fabs(e) : d.maximum;
         counted++;
     }

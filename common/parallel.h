@@ -90,8 +90,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     sigset_t both, mask;
     struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
                                                             .sa_flags = SA_RESTART};
-    w.start = clock_seconds();
-    atomic_store(&parallel_stop, 0);
+    w.start = clock_seconds(), atomic_store(&parallel_stop, 0);
     sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
     if (before_term.sa_handler != SIG_IGN) sigaction(SIGTERM, &during, NULL);

@@ -31,8 +31,7 @@ static inline void png_word(png_bytes *b, uint32_t value)  /* highest byte first
 
 static inline void png_bits(png_bytes *b, uint32_t value, int count)
 {
-    b->bits |= (uint64_t)value << b->held;
-    b->held += count;
+    b->bits |= (uint64_t)value << b->held, b->held += count;
     for (; b->held >= 8; b->held -= 8, b->bits >>= 8) png_byte(b, (uint32_t)b->bits);
 }
 
@@ -144,10 +143,8 @@ static inline uint32_t png_adler(const uint8_t *p, size_t n)
 static inline void png_chunk(FILE *out, png_bytes *b)
 {
     png_bytes length = {0};
-    png_word(&length, (uint32_t)b->n - 4);
-    png_word(b, png_crc(b->at, b->n));
-    fwrite(length.at, 1, length.n, out);
-    fwrite(b->at, 1, b->n, out);
+    png_word(&length, (uint32_t)b->n - 4), png_word(b, png_crc(b->at, b->n));
+    fwrite(length.at, 1, length.n, out), fwrite(b->at, 1, b->n, out);
     free(length.at), free(b->at);
 }
 

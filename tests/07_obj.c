@@ -752,7 +752,7 @@ static void test_endless(void)
         for (int i = 0; disk && in && i < 200000; i++) fputs("y\n", in);
         if (in && disk) rewind(in);
         check(in && text_begin(&r, in, "name", &f), "begun");
-        check(disk ? r.left > text_pipe_most : r.left <= text_pipe_most, "what may come");
+        check(disk ? r.left > file_pipe_most : r.left <= file_pipe_most, "what may come");
         if (!disk) r.left = 100000;
         while (text_statement(&r)) text_skip(&r);
         bool ok = text_end(&r);

@@ -275,6 +275,36 @@ static void test_signals(void)
     }
 }
 
+/* Of a pipe, which may never end, a reader of whole files takes so much and no more. */
+static void test_endless(void)
+{
+    failure f;
+    size_t n, most = file_pipe_most;
+    check_equal(most, 1 << 28, "256 MB");
+    file_pipe_most = 3000000;
+    for (size_t bytes = file_pipe_most; bytes <= file_pipe_most + 1; bytes++) {
+        char *text = NULL;
+        if (mkfifo(in_dir("endless"), 0600) != 0) abort();
+        pid_t writer = fork();
+        if (writer == 0) {
+            FILE *out = fopen(in_dir("endless"), "wb");
+            for (size_t i = 0; i < bytes; i++) putc('x', out);
+            _exit(fclose(out) != 0);
+        }
+        text = file_read(in_dir("endless"), &n, &f);
+        check((text != NULL) == (bytes == file_pipe_most), "%zu bytes of a pipe", bytes);
+        if (text) check_equal(n, bytes, "all of it");
+        else check(f.exit_code == 2 && strstr(f.text, "endless: no end: 256 MB"), "%s", f.text);
+        free(text), unlink(in_dir("endless"));
+        waitpid(writer, NULL, 0);
+    }
+    char *text = calloc(file_pipe_most + 3, 1);
+    check(text && put(in_dir("long"), memset(text, 'x', file_pipe_most + 2), &f), "written");
+    free(text), text = file_read(in_dir("long"), &n, &f);
+    check(text && n == file_pipe_most + 2, "a file on a disk may be longer");
+    free(text), file_pipe_most = most;
+}
+
 /* What was read is not replaced, by whatever name, until it is forgotten. Devices have no end. */
 static void test_read_files_stay(void)
 {
@@ -312,6 +342,7 @@ int main(void)
     test_read_large();
     test_memory();
     test_read_files_stay();
+    test_endless();
     test_signals();
     char command[64];
     snprintf(command, sizeof command, "rm -rf %s", dir);

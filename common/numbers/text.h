@@ -36,7 +36,6 @@
 
 #define text_longest "up to 4095 characters"
 enum {
-    text_pipe_most = 1 << 28,  /* bytes: 256 MB; of what is no regular file */
     text_chunk = 1 << 16,  /* bytes in the buffer: fits the nearest caches */
     text_token = 4096      /* more than any token has: a double written out in full takes 1079 */
 };
@@ -200,9 +199,7 @@ static inline bool text_begin(text_reader *r, FILE *in, const char *name, failur
     *r = (text_reader){.in = in, .name = name, .keyword = "line", .f = f, .line = 1};
     r->buffer = r->p = r->end = malloc(text_chunk + 1);
     if (!r->buffer) return failed(f, 1, "%s: no memory", text_name(r));
-    struct stat what;
-    bool pipe = fstat(fileno(in), &what) == 0 && !S_ISREG(what.st_mode);  /* memory: no stat */
-    r->left = pipe ? text_pipe_most : SIZE_MAX;
+    r->left = file_most(in);
     text_refill(r);
     if (strncmp(r->p, "\xef\xbb\xbf", 3) == 0) r->p += 3;  /* UTF-8 with a byte order mark */
     return true;
@@ -228,9 +225,7 @@ static inline bool text_end(text_reader *r)
         failed(r->f, 1, "%s: cannot read: %s", text_name(r), strerror(errno));
         r->bad = true;
     }
-    if (r->left == 0)
-        r->bad = !failed(r->f, 2, "%s:%zu: no end: %d MB from a pipe, allowed: a file on a disk",
-                         text_name(r), r->line, text_pipe_most >> 20);
+    if (r->left == 0) r->bad = !failed(r->f, 2, file_endless, text_name(r));
     free(r->buffer);
     r->buffer = NULL;
     return !r->bad;
