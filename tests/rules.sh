@@ -137,6 +137,10 @@ if [ -z "$bare" ]; then ok; else no "Makefile: a path without quotes: $bare"; fi
 make -n all BUILD=build/none >"$scratch/all" 2>&1; make -n BUILD=build/none >"$scratch/default" 2>&1
 if grep -q build/none/27_effects "$scratch/all" && cmp -s "$scratch/all" "$scratch/default"
 then ok; else no "make alone is not make all: $(head -n 2 "$scratch/default")"; fi
+# soak.sh builds its tests itself, with other random numbers: `make soak MINUTES=` once built all 105 before, for nothing.
+make -n soak MINUTES=1 BUILD=build/none >"$scratch/soak" 2>&1
+if grep -q 'tests/soak\.sh' "$scratch/soak" && ! grep -q build/none/test_ "$scratch/soak"
+then ok; else no "make soak MINUTES=1 builds tests that it does not run, or runs none"; fi
 # A make that another calls takes its turns from the -j of that one. Of a -j of its own it warns, as did `make -j4 run`.
 (unset MAKEFLAGS MAKELEVEL; for j in '' -j3; do make $j -n run full csv hard-cases precision BUILD=build/none; done) \
     2>&1 | grep warning: >"$scratch/warned"
