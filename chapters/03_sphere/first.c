@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere_first cha
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 480, balls = 90, n = 2 };
+enum { width = 640, height = 360, balls = 90, n = 2 };
 
 /* Balls on a spiral whose turns are the golden angle apart, as seeds stand in a sunflower. */
 static sphere ball[balls];
@@ -35,12 +35,12 @@ static vec3 colour(ray r)
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "03_sphere_first");
-    image im = image_new(side, side);
-    first_camera c = first_camera_at(vec(0, -3, 12.5), vec(0, -0.12, 0), vec(0, 1, 0), 37,
-                                     side, side);
+    image im = image_new(width, height);
+    first_camera c = first_camera_at(vec(0, -7, 10.5), vec(0, -0.75, 0), vec(0, 1, 0), 33,
+                                     width, height);
     sow();
-    for (int y = 0; y < side; y++)
-        for (int x = 0; x < side; x++) {
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
             vec3 sum = vec(0, 0, 0);
             for (int s = 0; s < n * n; s++)
                 sum = vadd(sum, colour(first_pixel_ray(c, x, y, s, n)));

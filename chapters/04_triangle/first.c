@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 04_triangle_first c
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 480, n = 2, most = 60 };
+enum { width = 640, height = 360, n = 2, most = 60 };
 static triangle star[most];
 static int triangles;
 
@@ -59,11 +59,12 @@ static vec3 colour(ray r)
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "04_triangle_first");
-    image im = image_new(side, side);
-    first_camera c = first_camera_at(vec(4, 3.2, 9), vec(0, -0.1, 0), vec(0, 1, 0), 36, side, side);
+    image im = image_new(width, height);
+    first_camera c = first_camera_at(vec(4, 3.2, 9), vec(0, -0.1, 0), vec(0, 1, 0), 36,
+                                     width, height);
     build();
-    for (int y = 0; y < side; y++)
-        for (int x = 0; x < side; x++) {
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
             vec3 sum = vec(0, 0, 0);
             for (int s = 0; s < n * n; s++)
                 sum = vadd(sum, colour(first_pixel_ray(c, x, y, s, n)));

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 05_implicit_first c
 #include "../03_sphere/first.h"
 #include "first.h"
 
-enum { width = 504, height = 432, n = 2, steps = 48 };
+enum { width = 640, height = 400, n = 2, steps = 48 };
 
 /* x^4 - 5 x^2 and the same of y and z, and a number: the larger, the thinner the bridges. */
 static real tangle(vec3 p)

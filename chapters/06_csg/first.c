@@ -5,17 +5,17 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 06_csg_first chapte
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 480, n = 3, pairs = 9 };
+enum { width = 640, height = 280, n = 3, pairs = 9 };
 
 static sphere pair[pairs][2];  /* A and B of each */
 static vec3 paint[pairs];
 
-/* Three rows of three; B goes round A, and comes nearer to the eye from ball to ball. */
+/* Five and four, in a zigzag; B goes round A, and comes nearer to the eye from ball to ball. */
 static void place(void)
 {
     for (int i = 0; i < pairs; i++) {
         double turn = 2 * pi * i / pairs + 0.6, out = 0.85 - 0.055 * i;
-        vec3 c = vec(2.4 * (i % 3 - 1), 2.4 * (1 - i / 3), 0);
+        vec3 c = vec(1.2 * (i - 4), i % 2 ? -1.05 : 1.05, 0);
         vec3 b = vec(out * cos(turn), out * sin(turn), 0.62);
         pair[i][0] = (sphere){c, 1};
         pair[i][1] = (sphere){vadd(c, b), 0.72};
@@ -42,11 +42,12 @@ static vec3 colour(ray r)
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "06_csg_first");
-    image im = image_new(side, side);
-    first_camera c = first_camera_at(vec(0, 0, 14), vec(0, 0, 0), vec(0, 1, 0), 31, side, side);
+    image im = image_new(width, height);
+    first_camera c = first_camera_at(vec(0, 0, 14), vec(0, 0, 0), vec(0, 1, 0), 21.5,
+                                     width, height);
     place();
-    for (int y = 0; y < side; y++)
-        for (int x = 0; x < side; x++) {
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
             vec3 sum = vec(0, 0, 0);
             for (int s = 0; s < n * n; s++)
                 sum = vadd(sum, colour(first_pixel_ray(c, x, y, s, n)));

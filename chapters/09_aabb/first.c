@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 09_aabb_first chapt
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 490, height = 350, blocks = 11, n = 2 };
+enum { width = 640, height = 320, blocks = 11, n = 2 };
 static aabb house[blocks * blocks];
 
 /* The nearer the middle of the town, the higher the houses. */
@@ -51,7 +51,7 @@ int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "09_aabb_first");
     image im = image_new(width, height);
-    first_camera c = first_camera_at(vec(7.5, 7, 9.5), vec(0, 0.8, 0), vec(0, 1, 0), 36,
+    first_camera c = first_camera_at(vec(7.5, 7, 9.5), vec(0, 0, 0), vec(0, 1, 0), 38,
                                      width, height);
     build();
     for (int y = 0; y < height; y++)
