@@ -91,7 +91,7 @@ static inline void showcase_teapot(showcase *c, real aspect)
     for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, m.n[i].z, -m.n[i].y};
     lit_begin(&c->s);
     vec3 copper = {0.95, 0.64, 0.54};
-    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, 0.35)});
+    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, 0.45)});
     lit_add_mesh(&c->s, &m, pot);
     mesh_free(&m);
     showcase_floor(&c->s, (vec3){0, 0, 0}, 60, vec(0.48, 0.42, 0.36));
