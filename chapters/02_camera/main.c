@@ -11,8 +11,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 02_camera chapters/
 /* n x n rays a pixel: the largest square that is not more than was asked for. */
 static int side_of(const options *o)
 {
-    int n = 1;
-    while ((n + 1) * (n + 1) <= o->samples) n++;
+    int n = pixels_side(o->samples);
     if (n * n != o->samples)
         fprintf(stderr, "%s: --samples %d: %d, the next square below, are taken\n", program_name,
                 o->samples, n * n);

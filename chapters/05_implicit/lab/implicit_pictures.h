@@ -103,8 +103,7 @@ static vec3 implicit_pixel(const void *context, real x, real y)
 
 static inline bool implicit_render(implicit_view v, int samples, int threads, image *im)
 {
-    int side = 1;
-    while ((side + 1) * (side + 1) <= samples) side++;
+    int side = pixels_side(samples);
     v.width = im->width, v.height = im->height;
     bool whole = pixels_draw(im, 1, threads, "surface", implicit_pixel, &v);
     if (side == 1 || !whole) return whole;

@@ -68,9 +68,7 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
 cold_inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
 {
     mesh_view w = {camera_fit(m, up, im->width, im->height), im->width, im->height, m};
-    int side = 1;
-    while ((side + 1) * (side + 1) <= samples) side++;
-    return pixels_draw(im, side, threads, "picture", mesh_view_colour, &w);
+    return pixels_draw(im, pixels_side(samples), threads, "picture", mesh_view_colour, &w);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

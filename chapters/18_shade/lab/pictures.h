@@ -28,7 +28,7 @@ cold_inline void draw_gallery(const options *o, int n, bool spend_all)
     traced_view v = gallery_view(g, &how, o->width, o->height, false);
     v.counts = &rays, how.spend_all = spend_all;
     double start = clock_seconds();
-    bool whole = pixels_draw(&im, traced_side(o->samples), o->threads, "drawing", traced_colour,
+    bool whole = pixels_draw(&im, pixels_side(o->samples), o->threads, "drawing", traced_colour,
                              &v);
     printf("# %zu camera rays, %zu hits; %zu shadow rays, %zu of them stopped; %.2f s\n",
            rays.rays[RAY_CAMERA], rays.hits[RAY_CAMERA], rays.rays[RAY_SHADOW],

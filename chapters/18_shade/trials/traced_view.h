@@ -3,12 +3,11 @@
  *   trace_counts n = {0};
  *   traced_view v = {.t = tracer, .ray = shade_ray, .c = camera, .width = 800, .height = 450,
  *                    .counts = &n};
- *   pixels_draw(&im, traced_side(4), threads, "drawing", traced_colour, &v);    n: rays by kind
+ *   pixels_draw(&im, 2, threads, "drawing", traced_colour, &v);    n: rays by kind
  *   panel p = {"a title", &v};        for panels.h, with traced_colour
  *
  *   ray         the light along one ray; the tracer is a copy of t
  *   counts      NULL: nobody counts
- *   traced_side(samples)   the largest n with n x n <= samples [>= 1]
  */
 #ifndef SHADE_TRACED_VIEW_H
 #define SHADE_TRACED_VIEW_H
@@ -39,13 +38,6 @@ static vec3 traced_colour(const void *view, real x, real y)
         pthread_mutex_unlock(&lock);
     }
     return vmin(c, (vec3){4, 4, 4});  /* a highlight must not outshout its pixel */
-}
-
-static inline int traced_side(int samples)
-{
-    int side = 1;
-    while ((side + 1) * (side + 1) <= samples) side++;
-    return side;
 }
 
 #endif

@@ -30,7 +30,7 @@ cold_inline void draw_two_spheres(const options *o, bool spend_all)
                                  o->height);
     v.counts = &n, s->w.spend_all = spend_all;
     double start = clock_seconds();
-    bool whole = pixels_draw(&im, traced_side(o->samples), o->threads, "drawing", traced_colour,
+    bool whole = pixels_draw(&im, pixels_side(o->samples), o->threads, "drawing", traced_colour,
                              &v);
     printf("# two spheres:");
     for (int k = 0; k < RAY_SIGHT; k++)
