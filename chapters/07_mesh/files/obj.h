@@ -49,8 +49,9 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
 /* Says on stderr which files named by mtllib are not beside the file at `path`; how many. */
 static inline int obj_libraries_missing(const mesh *m, const char *path);
 
-/* Calls use(user, file) for each that is, in their order. */
-typedef void obj_library_use(void *user, const char *file);
+/* Calls use(user, file, true) for each that is, in their order, and use(user, name, false) for each
+ * that is not. */
+typedef void obj_library_use(void *user, const char *name, bool there);
 static inline void obj_libraries_each(const mesh *m, const char *path, obj_library_use *use,
                                       void *user);
 
@@ -308,41 +309,49 @@ static inline bool obj_beside(const char *path, const char *name, size_t n, obj_
     snprintf(file, sizeof file, "%.*s%.*s", folder, path, (int)n, name);
     if (access(file, R_OK) != 0 || stat(file, &s) != 0 || !S_ISREG(s.st_mode)) return false;
     file_keep(&s);
-    if (use) use(user, file);
+    use(user, file, true);
     return true;
 }
 
 /* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */
-static inline int obj_libraries_beside(const mesh *m, const char *path, bool say,
-                                       obj_library_use *use, void *user)
+static inline void obj_libraries_each(const mesh *m, const char *path, obj_library_use *use,
+                                      void *user)
 {
-    int missing = 0;
     for (const char *p = m->libraries; p && *p; p += strcspn(p, "\n") + 1) {
         size_t line = strcspn(p, "\n"), word, last = line;
         while (last > 0 && p[last - 1] != '/' && p[last - 1] != '\\') last--;
         if (obj_beside(path, p, line, use, user)
             || obj_beside(path, p + last, line - last, use, user)) continue;
         for (const char *q = p; q < p + line; q += word + strspn(q + word, " \t")) {
+            char name[201];
             word = strcspn(q, " \t\n");
             if (obj_beside(path, q, word, use, user)) continue;
-            if (say)
-                fprintf(stderr, "%s: %.200s: mtllib %.*s: no such file beside it\n", program_name,
-                        path, (int)word, q);
-            missing++;
+            snprintf(name, sizeof name, "%.*s", (int)word, q);
+            use(user, name, false);
         }
     }
-    return missing;
+}
+
+typedef struct { const char *path; int missing; } obj_missing;
+
+static inline void obj_library_missing(void *user, const char *name, bool there)
+{
+    obj_missing *m = user;
+    if (there) return;
+    fprintf(stderr, "%s: %.200s: mtllib %s: no such file beside it\n", program_name, m->path, name);
+    m->missing++;
 }
 
 static inline int obj_libraries_missing(const mesh *m, const char *path)
 {
-    return obj_libraries_beside(m, path, true, NULL, NULL);
+    obj_missing x = {path, 0};
+    obj_libraries_each(m, path, obj_library_missing, &x);
+    return x.missing;
 }
 
-static inline void obj_libraries_each(const mesh *m, const char *path, obj_library_use *use,
-                                      void *user)
+static inline void obj_library_keep(void *user, const char *name, bool there)
 {
-    (void)obj_libraries_beside(m, path, false, use, user);
+    (void)user, (void)name, (void)there;
 }
 
 static inline bool obj_read(const char *path, mesh *out, failure *f)
@@ -352,7 +361,7 @@ static inline bool obj_read(const char *path, mesh *out, failure *f)
     if (!in) return false;
     bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
     fclose(in);
-    if (ok) (void)obj_libraries_beside(out, path, false, NULL, NULL);  /* no output replaces them */
+    if (ok) obj_libraries_each(out, path, obj_library_keep, NULL);  /* no output replaces them */
     return ok;
 }
 

@@ -72,12 +72,13 @@ static inline void obj_look_set(obj_looks *l, uint16_t look, const mtl_material 
     l->more = l->more || !vzero(m->ks) || m->illum > 2 || m->d < 1;
 }
 
-static inline void obj_look_library(void *user, const char *file)
+static inline void obj_look_library(void *user, const char *file, bool there)
 {
     obj_looks *l = user;
     mtl_reader r;
     uint16_t look = l->grey;
-    FILE *in = l->ok ? file_open(file, l->f) : NULL;
+    if (!l->ok || !there) return;
+    FILE *in = file_open(file, l->f);
     l->ok = in && mtl_begin(&r, in, file, l->f);
     if (l->ok) l->hash = long_run_hash(l->hash, file);
     while (l->ok && mtl_next(&r)) {

@@ -15,50 +15,33 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { uint32_t *library; size_t n, room; } obj_libraries;
+typedef struct {
+    studio *s;
+    const char *path;         /* of the OBJ file */
+    uint32_t *library;
+    size_t n, room;
+    bool ok;
+    failure *f;
+} obj_found;
 
-/* Reads the library of that name, if there is a file of that name. False: broken. */
-static inline bool obj_try_library(studio *s, const char *base, const char *name,
-                                   obj_libraries *found, bool *there, failure *f)
+static inline void obj_found_add(void *user, const char *name, bool there)
 {
-    char path[word_longest_path];
-    struct stat what;
+    obj_found *l = user;
     uint32_t k;
-    *there = word_path(base, name, path) && stat(path, &what) == 0 && S_ISREG(what.st_mode)
-        && access(path, R_OK) == 0;
-    if (!*there) return true;
-    if (!mtl_studio(s, path, &k, f)) return false;
-    for (size_t i = 0; i < found->n; i++)
-        if (found->library[i] == k) return true;
-    found->library = grown(found->library, found->n, &found->room, sizeof *found->library);
-    found->library[found->n++] = k;
-    return true;
+    if (!l->ok) return;
+    if (!there) {
+        studio_note(l->s, "%.200s: no file '%.100s': what it describes stays grey", l->path, name);
+        studio_warns(l->s);
+        return;
+    }
+    if (!(l->ok = mtl_studio(l->s, name, &k, l->f))) return;
+    for (size_t i = 0; i < l->n; i++)
+        if (l->library[i] == k) return;
+    l->library = grown(l->library, l->n, &l->room, sizeof *l->library);
+    l->library[l->n++] = k;
 }
 
-/* One line of mtllib, in the three ways; it is changed. */
-static inline bool obj_library_line(studio *s, const char *base, char *line, obj_libraries *found,
-                                    failure *f)
-{
-    bool there;
-    size_t before = found->n;
-    if (!obj_try_library(s, base, line, found, &there, f)) return false;
-    if (there) return true;
-    char *last = line;
-    for (char *p = line; *p; p++)
-        if (*p == '/' || *p == '\\') last = p + 1;
-    if (last > line && !obj_try_library(s, base, last, found, &there, f)) return false;
-    if (found->n == before)
-        for (char *save = NULL, *word = strtok_r(line, " \t", &save); word;
-             word = strtok_r(NULL, " \t", &save)) {
-            if (!obj_try_library(s, base, word, found, &there, f)) return false;
-            if (there) continue;
-            studio_note(s, "%.200s: no file '%.100s': what it describes stays grey", base, word);
-            studio_warns(s);
-        }
-    return true;
-}
-
-static inline uint32_t obj_material_number(const studio *s, const obj_libraries *found,
+static inline uint32_t obj_material_number(const studio *s, const obj_found *found,
                                            const char *name)
 {
     uint32_t k = studio_palette_find(&s->own, name);
@@ -69,7 +52,7 @@ static inline uint32_t obj_material_number(const studio *s, const obj_libraries 
 
 /* Of each run; "None" is how Blender says that there is none, "" is usemtl without a name. */
 static inline uint32_t *obj_run_materials(studio *s, const char *path, const mesh *m,
-                                          const obj_libraries *found)
+                                          const obj_found *found)
 {
     uint32_t *number = allocate(m->runs, sizeof *number);
     name_table unknown = {NULL, 0, 0, NULL, 0, 0, NULL, 0};
@@ -93,12 +76,10 @@ static inline bool obj_mesh_stream(studio *s, FILE *in, const char *path, bool s
 {
     uint32_t file = name_add(&s->files, path);
     mesh m;
-    obj_libraries found = {NULL, 0, 0};
-    bool ok = obj_read_stream(in, path, UINT32_MAX / 4, &m, f);
-    if (!ok) return false;
-    char *save = NULL, *line = m.libraries ? strtok_r(m.libraries, "\n", &save) : NULL;
-    for (; ok && line; line = strtok_r(NULL, "\n", &save))
-        ok = obj_library_line(s, path, line, &found, f);
+    obj_found found = {s, path, NULL, 0, 0, true, f};
+    if (!obj_read_stream(in, path, UINT32_MAX / 4, &m, f)) return false;
+    obj_libraries_each(&m, path, obj_found_add, &found);
+    bool ok = found.ok;
     if (!ok) mesh_free(&m);
     else {
         if (smooth) mesh_smooth_normals(&m);
