@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree_first cha
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 480, n = 2 };
+enum { width = 640, height = 360, n = 2 };
 
 /* The leaf where p is: leaves take their turn in the rainbow. */
 static vec3 tint(const first_octree *t, vec3 p)
@@ -33,18 +33,18 @@ int main(int argc, char **argv)
     first_mesh m = first_knot(120, 12);
     first_octree t;
     first_octree_build(&m, &t);
-    first_camera c = first_camera_at(vec(1, -3, 9), vec(0.2, -0.12, 0), vec(0, 1, 0), 42,
-                                     side, side);
-    image im = image_new(side, side);
-    for (int y = 0; y < side; y++)
-        for (int x = 0; x < side; x++) {
+    first_camera c = first_camera_at(vec(1, -6.4, 8.6), vec(0.15, -0.33, 0), vec(0, 1, 0), 31.5,
+                                     width, height);
+    image im = image_new(width, height);
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
             vec3 sum = vec(0, 0, 0);
             for (int s = 0; s < n * n; s++)
                 sum = vadd(sum, colour(&t, first_pixel_ray(c, x, y, s, n)));
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
     printf("%d triangles, %d leaves, %.1f tests a ray\n", m.n, t.leaves,
-           (double)first_tests / (side * side * n * n));
+           (double)first_tests / (width * height * n * n));
     first_octree_free(&t);
     first_mesh_free(&m);
     return picture_end(path, &im);

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances_first 
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { width = 490, height = 262, rows = 9, columns = 8, n = 2 };
+enum { width = 640, height = 270, rows = 9, columns = 8, n = 2 };
 static first_instance one[rows * columns];
 
 /* Each is turned about two axes, and stretched. */
@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     first_mesh m = first_knot(50, 8);
     first_bvh b = first_bvh_build(&m, true);
     first_crowd crowd = {&b, one, rows * columns};
-    first_camera c = first_camera_at(vec(0, 7.5, 7), vec(0, 0.5, -4.6), vec(0, 1, 0), 38,
+    first_camera c = first_camera_at(vec(0, 7.5, 7), vec(0, 0.6, -4.6), vec(0, 1, 0), 35,
                                      width, height);
     image im = image_new(width, height);
     place();
