@@ -457,25 +457,13 @@ int main(void)
         structure_mesh(&s, "from 2e3 away", torus_mesh(12), check_count(240), (vec3){0, 0, 0}, 1,
                        2000);
     }
-    test_drift();
     structure_ends(grid, grid_defaults, check_count(4000));
     structure_ends(nested, nested_defaults, check_count(4000));
-    test_walk_keeps_its_promise();
-    test_early_is_wrong();
-    test_specks();
-    test_lists();
-    test_resolution();
-    test_limits();
-    test_bytes();
     structure_limited(grid, grid_by_bounds, teapot_mesh(4), 1);
     structure_limited(nested, nested_by_bounds, teapot_mesh(4), 1);
-    test_too_many();
-    test_sizes();
-    test_far_rays_are_cheap();
-    test_far_rays_are_right();
-    test_mailbox_and_marking();
     structure_piled(grid, grid_defaults, 10000, structure_room(10000) + 0x1p24);
-    test_copies();
-    test_panels_stop();
-    return check_report("10_grid");
+    return check_all("10_grid", test_drift, test_walk_keeps_its_promise, test_early_is_wrong,
+                     test_specks, test_lists, test_resolution, test_limits, test_bytes,
+                     test_too_many, test_sizes, test_far_rays_are_cheap, test_far_rays_are_right,
+                     test_mailbox_and_marking, test_copies, test_panels_stop);
 }

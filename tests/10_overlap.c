@@ -270,12 +270,7 @@ static void test_sick(void)
 
 int main(void)
 {
-    test_touching_triangles();
-    test_touching_climbed_to();
-    test_touching_round();
-    test_touching_spheres();
-    test_equals_exact();
-    test_count_of_diagonal();
-    test_sick();
-    return check_report("10_overlap");
+    return check_all("10_overlap", test_touching_triangles, test_touching_climbed_to,
+                     test_touching_round, test_touching_spheres, test_equals_exact,
+                     test_count_of_diagonal, test_sick);
 }

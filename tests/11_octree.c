@@ -501,18 +501,12 @@ int main(void)
     structure s = {"octree", STRUCTURE_OF(octree)};
     how = octree_defaults;
     structure_tests(&s, check_count(600));
-    test_options();
-    test_naive();
-    test_beyond_the_cell();
-    test_trees();
-    test_ends();
-    test_stop();
     structure_limited(octree, octree_defaults, teapot_mesh(8), 1);
     test_passed(check_count(200000));
     test_order(check_count(3000));
     test_few_digits(check_count(3000));
-    test_ends_at_the_hit();
     test_counted(check_count(4000));
     structure_piled(octree, octree_defaults, 400, 1.2 * structure_room(400));
-    return check_report("11_octree");
+    return check_all("11_octree", test_options, test_naive, test_beyond_the_cell, test_trees,
+                     test_ends, test_stop, test_ends_at_the_hit);
 }

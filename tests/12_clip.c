@@ -337,11 +337,6 @@ int main(void)
 {
     test_clip(true);
     test_clip(false);
-    test_concave();
-    test_rounding();
-    test_keys();
-    test_sweep();
-    test_median();
-    test_bins();
-    return check_report("12_clip");
+    return check_all("12_clip", test_concave, test_rounding, test_keys, test_sweep, test_median,
+                     test_bins);
 }

@@ -393,18 +393,9 @@ static void test_owed(void)
 
 int main(void)
 {
-    test_structures();
-    test_naive();
-    test_eyes();
     corner_test(corner_lost);
-    test_invariants();
-    test_clip_pays();
-    test_round();
-    test_limits();
     structure_limited(kdtree, kdtree_defaults, teapot_mesh(4), 1);
-    test_frame();
-    test_owed();
-    test_no_more();
     structure_piled(kdtree, kdtree_defaults, 3000, 1.2 * structure_room(3000));
-    return check_report("12_kdtree");
+    return check_all("12_kdtree", test_structures, test_naive, test_eyes, test_invariants,
+                     test_clip_pays, test_round, test_limits, test_frame, test_owed, test_no_more);
 }

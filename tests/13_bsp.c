@@ -446,23 +446,10 @@ static void test_owed(void)
 
 int main(void)
 {
-    test_wall_goes_to_the_smaller_part();
-    test_sides();
-    test_clip();
-    test_owed();
-    test_cells();
-    test_refused();
-    test_limits();
-    test_copies();
-    test_same_tree();
-    test_tiles();
-    test_fewest();
-    test_slanted_wall();
     structure_ends(bsp, bsp_defaults, check_count(2000));
     structure_limited(bsp, bsp_defaults, teapot_mesh(6), 2);
-    test_naive();
-    test_deep();
-    test_rules();
     structure_piled(bsp, bsp_defaults, 3000, 1.05 * structure_room(3000));
-    return check_report("13_bsp");
+    return check_all("13_bsp", test_wall_goes_to_the_smaller_part, test_sides, test_clip, test_owed,
+                     test_cells, test_refused, test_limits, test_copies, test_same_tree, test_tiles,
+                     test_fewest, test_slanted_wall, test_naive, test_deep, test_rules);
 }

@@ -351,14 +351,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    test_order();
-    test_naive();
-    test_pieces();
-    test_scale();
-    test_area();
-    test_sheet();
-    test_nearly_in_a_plane();
-    test_in_a_plane();
-    test_odd_input();
-    return check_report("13_painter");
+    return check_all("13_painter", test_order, test_naive, test_pieces, test_scale, test_area,
+                     test_sheet, test_nearly_in_a_plane, test_in_a_plane, test_odd_input);
 }

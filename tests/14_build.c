@@ -512,24 +512,13 @@ int main(void)
     mesh near = slivers_mesh(600, (vec3){0, 0, 0});
     mesh far = slivers_mesh(600, (vec3){1000, -1000, 3000});
     mesh pot = teapot_mesh(6);
-    test_codes();
-    test_reorder();
-    test_cut();
-    test_topology();
-    test_morton_leaves();
-    test_clip();
-    test_clip_overflow();
-    test_clip_rounding();
     test_cover("slivers", &near, 8, true);
     test_cover("slivers far out", &far, 3000, true);
     test_cover("teapot", &pot, 4, false);
-    test_worth();
-    test_one_rotation();
     test_motion(MOTION_TWIST, 6);
     test_motion(MOTION_SCATTER, 2);
-    test_depth();
-    test_odd();
-    test_spatial();
     mesh_free(&near), mesh_free(&far), mesh_free(&pot);
-    return check_report("14_build");
+    return check_all("14_build", test_codes, test_reorder, test_cut, test_topology,
+                     test_morton_leaves, test_clip, test_clip_overflow, test_clip_rounding,
+                     test_worth, test_one_rotation, test_depth, test_odd, test_spatial);
 }

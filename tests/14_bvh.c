@@ -210,15 +210,9 @@ static void test_order_in_counts(void)
 
 int main(void)
 {
-    test_least_t();
-    test_rules();
-    test_hard_meshes();
     test_coincident(check_count(1000000), false);
     test_coincident(check_count(30000), true);
     test_coincident(7, true);
-    test_one_leaf();
-    test_sick();
-    test_random_rays_show_nothing();
-    test_order_in_counts();
-    return check_report("14_bvh");
+    return check_all("14_bvh", test_least_t, test_rules, test_hard_meshes, test_one_leaf, test_sick,
+                     test_random_rays_show_nothing, test_order_in_counts);
 }

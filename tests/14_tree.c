@@ -467,25 +467,14 @@ int main(void)
     mesh meshes[] = {teapot_mesh(3), octahedron_mesh(6), soup(1500), spiral(1500), soup(1),
                      soup(2)};
     const char *const names[] = {"teapot", "octahedron", "soup", "spiral", "one", "two"};
-    test_beyond();
     corner_test(corner_lost);
-    test_owed();
-    test_select();
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
         test_invariants(names[i], &meshes[i]);
         mesh_free(&meshes[i]);
     }
-    test_depth();
-    test_resident();
-    test_memory();
-    test_refusals();
-    test_heuristic();
-    test_closed_form();
-    test_reach();
-    test_greed();
-    test_four_cubes();
-    test_shared_area();
     bvh_mesh none = {.triangle = NULL};
     bvh_mesh_free(&none);
-    return check_report("14_tree");
+    return check_all("14_tree", test_beyond, test_owed, test_select, test_depth, test_resident,
+                     test_memory, test_refusals, test_heuristic, test_closed_form, test_reach,
+                     test_greed, test_four_cubes, test_shared_area);
 }

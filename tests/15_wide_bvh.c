@@ -609,22 +609,8 @@ static void test_interrupted(void)
 
 int main(void)
 {
-    test_options();
     structure_limited(bvh8, bvh8_defaults, octahedron_mesh(16), 1);
-    test_interrupted();
-    test_structures();
-    test_corners();
-    test_bounds();
-    test_floats();
-    test_invariants();
-    test_leaks();
-    test_streams();
-    test_far();
-    test_wild();
-    test_left_out();
-    test_split();
-    test_sizes();
-    test_depth();
-    test_cost();
-    return check_report("15_wide_bvh");
+    return check_all("15_wide_bvh", test_options, test_interrupted, test_structures, test_corners,
+                     test_bounds, test_floats, test_invariants, test_leaks, test_streams, test_far,
+                     test_wild, test_left_out, test_split, test_sizes, test_depth, test_cost);
 }

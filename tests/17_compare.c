@@ -1066,36 +1066,9 @@ static void test_orders(void)
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
-    test_equality();
-    test_solids();
-    test_memory();
-    test_pile();
-    test_one_slow();
-    test_first_contenders();
-    test_wrong_is_counted();
-    test_alone();
-    test_winners();
-    test_kinds();
-    test_aim();
     test_shrunk_box("teapot");
     test_shrunk_box("tetra");
     test_shrunk_box("gears");
-    test_patients();
-    test_unscaled();
-    test_wrong_answers();
-    test_open_ends();
-    test_zero();
-    test_costs();
-    test_fewer();
-    test_cheapest();
-    test_kept();
-    test_growth();
-    test_growth_leaves();
-    test_orders();
-    test_own();
-    test_example();
-    test_knobs();
-    test_front();
     if (run("17_compare", "--help") == 0) {
         put_scenes();
         test_misuse();
@@ -1104,5 +1077,10 @@ int main(void)
         test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
     remove_directory();
-    return check_report("17_compare");
+    return check_all("17_compare", test_equality, test_solids, test_memory, test_pile,
+                     test_one_slow, test_first_contenders, test_wrong_is_counted, test_alone,
+                     test_winners, test_kinds, test_aim, test_patients, test_unscaled,
+                     test_wrong_answers, test_open_ends, test_zero, test_costs, test_fewer,
+                     test_cheapest, test_kept, test_growth, test_growth_leaves, test_orders,
+                     test_own, test_example, test_knobs, test_front);
 }

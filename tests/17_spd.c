@@ -492,17 +492,7 @@ static void test_nff(void)
 
 int main(void)
 {
-    test_nff();
-    test_counts();
-    test_views();
-    test_balls();
-    test_gears();
-    test_mount();
-    test_rings();
-    test_tetra();
-    test_tree();
-    test_teapot();
-    test_published();
-    test_meshes();
-    return check_report("17_spd");
+    return check_all("17_spd", test_nff, test_counts, test_views, test_balls, test_gears,
+                     test_mount, test_rings, test_tetra, test_tree, test_teapot, test_published,
+                     test_meshes);
 }

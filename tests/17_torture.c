@@ -308,13 +308,6 @@ static void test_files(void)
 
 int main(void)
 {
-    test_less();
-    test_meet();
-    test_nearest();
-    test_kinds();
-    test_classes();
-    test_judge();
-    test_error();
-    test_files();
-    return check_report("17_torture");
+    return check_all("17_torture", test_less, test_meet, test_nearest, test_kinds, test_classes,
+                     test_judge, test_error, test_files);
 }
