@@ -61,7 +61,7 @@ endif
 # the same; -O0 makes the tests of common/, which compute little, sooner. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
-FIRST_CFLAGS = -O1 -fno-math-errno  # for no processor in particular, so without wide registers: CLEAR would only cost time
+FIRST_CFLAGS = -O1 -fno-math-errno  # sqrt is no call then; for no processor in particular: CLEAR would only cost time
 FIRST_FAST = 05_implicit 15_wide_bvh  # -O2 halves their time
 SET_CFLAGS_common = -O0 $(CLEAR)
 endif
