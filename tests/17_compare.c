@@ -214,7 +214,7 @@ static void test_memory(void)
 static void test_pile(void)
 {
     line_up trees = chosen_of("bvh,wide,kdtree");
-    for (size_t n = 1000; n <= 30000; n *= 30) {
+    for (size_t n = 1000; n <= 15000; n *= 15) {
         comparison s;
         world w;
         failure f;

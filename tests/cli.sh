@@ -248,8 +248,8 @@ for name in 07_mesh 10_grid 11_octree 12_kdtree 13_bsp 14_bvh 15_wide_bvh 17_com
     done
     case $name in
     07_mesh)
-        run 0 --quick zero.obj; tells err "zero.obj: mtllib /dev/zero: no such file"
-        run 0 --quick folder.obj; tells err "folder.obj: mtllib .: no such file"
+        run 0 --quick --size 48x36 zero.obj; tells err "zero.obj: mtllib /dev/zero: no such file"
+        run 0 --quick --size 48x36 folder.obj; tells err "folder.obj: mtllib .: no such file"
         run 2 in.obj --save mine.obj; tells err "mine.mtl: not replaced"
         if [ ! -e mine.obj ]; then ok; else no "a mesh without its materials"; fi
         run 0 in.obj --save other.obj

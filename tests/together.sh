@@ -3,7 +3,8 @@
 # Programs as in build/: 04_triangle, 04_triangle_first, test_04_a. It is the one by whose name it is called, so that
 # a copy or a link of each name belongs to it. First come the headers of chapters and common/ that they include, then
 # their texts, in which what a program itself defines bears its name, too: `static int f(void)` is f_test_04_a.
-# (Not what is also the name of a member that it declares: the compiler says so.)
+# (Not what is also the name of a member that it declares: the compiler says so.) TEXTS=O0: gcc optimises
+# the headers, but not these texts.
 cd "$(dirname "$0")/.." || exit 1
 file_of() {
     case $1 in test_*) echo "tests/${1#test_}.c" ;; *_first) echo "chapters/${1%_first}/first.c" ;;
@@ -14,6 +15,7 @@ for p in "$@"; do
     case $file in tests/*) of='\.\.\/' ;; *) of= ;; esac  # what tests share, tests/*.h, may differ in each
     sed -n "s/^#include \"\($of.*\)\"/#include \"$(dirname "$file" | sed 's/\//\\\//g')\/\1\"/p; /^#include </p" "$file"
 done | awk '!seen[$0]++'
+[ -z "${TEXTS:-}" ] || printf '#if defined __GNUC__ && !defined __clang__\n#pragma GCC optimize ("%s")\n#endif\n' "$TEXTS"
 for p in "$@"; do
     file=$(file_of "$p")
     awk -v p="$p" -v folder="$(dirname "$file")" '
