@@ -11,7 +11,7 @@
  *   corners    along the ray, by around = (24 u + 16 eps) S                                 (15.7)
  *   edges      by bound = 4 m around + 2 around^2 + 16 u m^2, where |x|, |y| <= m: beyond it the
  *              sign is that of 04. Two surely different signs: no hit. Three equal ones, each of
- *              more than 2 bound: a hit, wherever t is                                      (15.8)
+ *              more than 2 bound: a hit, wherever t is. most: bound if m = 4 S, the largest (15.8)
  *   t          by (4 bound spread / |det| + tail) / |dz|, tail = (32 u + 300 eps) S        (15.9)
  *
  * Where a number overflowed to infinity or NaN, no comparison with a bound is true: in doubt.
@@ -28,7 +28,7 @@ typedef struct {
     floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
     whole4 near, far;                             /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
-    float sx, sy, cx, cy, oz, sz, around, tail;
+    float sx, sy, cx, cy, oz, sz, around, tail, most;
     union {                                       /* its interval, and what surely lies in it */
         floats4 ends;
         struct { float tmin, limit, sure_min, sure_max; };
@@ -36,7 +36,7 @@ typedef struct {
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
     const ray *r;
     real tmax;                                    /* the t of `best`; until then that of r */
-    const bvh8_skip *skip;
+    uint32_t from, first, others;                 /* left out: from; first to first + others */
     hit best;                                     /* of what was asked in `real` */
     int doubts;
     bvh8_doubt doubt[bvh8_most_doubts];           /* what was not, and begins at `first` */
@@ -65,7 +65,7 @@ fast_inline void bvh8_interval(bvh8_ray *q, const ray *r)
 }
 
 /* What triangles need: (4.9), from the axis along which d is longest. */
-fast_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S, float owed)
+fast_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, floats4 owed, float S)
 {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     int kz = vlongest(q->r->d), kx = next[kz + 1], ky = next[kz + 2];
@@ -73,8 +73,8 @@ fast_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, float S
     q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = q->inverse[kz];
     q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
     q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
-    q->around = S * 0x1.8p-20f + 16 * owed;                                          /* (15.7) */
-    q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
+    q->around = owed[1], q->tail = owed[2] * fabsf(q->sz);                   /* (15.7), (15.9) */
+    q->most = S > 0x1p20f ? NAN : q->around * (20 * S + 2 * q->around) + S * S * 0x1.4p-16f;
 }
 
 /* What all rays need, from o and d in the frame. size: S; way: S before the origin was moved. */
@@ -83,16 +83,17 @@ fast_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
     bvh8_interval(q, q->r);
-    float S = (float)size, owed = (float)(way * real_epsilon);
+    float S = (float)size, eps = (float)(way * real_epsilon);
+    floats4 owed = S * (floats4){0x1p-20f, 0x1.8p-20f, 0x1p-19f} + eps * (floats4){512, 16, 300};
     floats4 o = floats4_of(at), along = floats4_of(d), i = 1 / along;
     q->inverse = i = floats4_within(i, 0x1p60f);
-    floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
+    floats4 error = floats4_abs(i) * owed[0];                                        /* (15.6) */
     floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
     q->near_o = floats4_within(-p - error, FLT_MAX), q->far_o = floats4_within(error - p, FLT_MAX);
     const int32_t row = sizeof(eight);  /* enters three rows on if it goes down */
     whole4 high = (i < 0) & 3 * row;
     q->near = (whole4){0, row, 2 * row} + high, q->far = (whole4){3 * row, 4 * row, 5 * row} - high;
-    if (w->block) bvh8_ray_sheared(q, o, along, S, owed);
+    if (w->block) bvh8_ray_sheared(q, o, along, owed, S);
 }
 
 /* What few rays need before that. d gets a length near 1 if it is beyond 2^+-20; t changes by that
@@ -119,8 +120,8 @@ fast_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip,
     vec3 at = frame_into(&w->frame, r->o), d = {r->d.x, r->d.y, r->d.z};
     real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
     real way = real_max(real_max(real_max(x, y), z), 1);
-    q->r = r, q->tmax = r->tmax, q->skip = skip, q->best = hit_none;
-    q->sheared = false, q->doubts = 0;
+    q->r = r, q->tmax = r->tmax, q->best = hit_none, q->sheared = false, q->doubts = 0;
+    q->from = skip->from, q->first = skip->first, q->others = skip->last - skip->first;
     q->scale = (double)w->frame.scale, q->shift = 0;
     if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20))
         return bvh8_ray_moved(w, q);
@@ -136,9 +137,9 @@ fast_inline ray bvh8_rest(const bvh8_ray *q)
     return (ray){q->r->o, q->r->tmin, q->r->d, q->tmax};
 }
 
-static inline const ray_shear *bvh8_shear(bvh8_ray *q)
+static inline const ray_shear *bvh8_shear(bvh8_ray *q, int kz)
 {
-    if (!q->sheared) q->shear = shear_along(q->r, vlongest(q->r->d)), q->sheared = true;
+    if (!q->sheared) q->shear = shear_along(q->r, kz), q->sheared = true;
     return &q->shear;
 }
 
@@ -160,7 +161,7 @@ static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
     for (const bvh8_doubt *d = q->doubt; d < q->doubt + q->doubts; d++) {
         if (!(d->first <= q->limit)) continue;
         const float *c = (const float *)d->block->corner + d->lane;
-        const ray_shear *s = bvh8_shear(q);
+        const ray_shear *s = bvh8_shear(q, (int)(q->kz / sizeof(eight)));
         const size_t i = d->block->index[d->lane];
         vec3 p[3], own;  /* corners read where they lie: a copy costs a tenth */
         EIGHT_UNROLL
@@ -181,7 +182,8 @@ __attribute__((noinline, flatten))
 static bool bvh8_sheared(const shape *x, uint32_t i, bvh8_ray *q)
 {
     hit h;
-    return shape_hit_sheared(x, bvh8_shear(q), bvh8_rest(q), &h) && bvh8_keep(q, h, i);
+    return shape_hit_sheared(x, bvh8_shear(q, vlongest(q->r->d)), bvh8_rest(q), &h)
+        && bvh8_keep(q, h, i);
 }
 
 /* Most spheres are clear, and the test of these alone needs hardly a stack. */
@@ -197,8 +199,7 @@ static bool bvh8_sphere(const shape *x, uint32_t i, bvh8_ray *q)
 fast_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
-    const bvh8_skip *but = q->skip;
-    if (i == but->from || i - but->first <= but->last - but->first) return false;
+    if (i == q->from || i - q->first <= q->others) return false;
     return x->kind == SHAPE_SPHERE ? bvh8_sphere(x, i, q) : bvh8_sheared(x, i, q);
 }
 

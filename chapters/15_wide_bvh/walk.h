@@ -52,15 +52,16 @@ EIGHT_INLINE bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8
 {
     EIGHT(bvh8_view) v;
     EIGHT(bvh8_look)(b, q, &v);
+    /* Empty places, and what the caller leaves out. */
+    eight_whole i = (eight_whole)b->index, out = (i == (int32_t)q->from) | i >> 31;
+    out |= (eight_count)i - q->first <= q->others;
+    eight_whole maybe = ~out & ~EIGHT_LE(EIGHT_ALL(q->most), EIGHT_MIN(-v.lo, v.hi));
+    if (EIGHT_BITS(maybe) == 0) return false;
     eight m = EIGHT_FAR(v.x[0], v.y[0]), m1 = EIGHT_FAR(v.x[1], v.y[1]), zero = EIGHT_ALL(0);
     m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-    /* Empty places, and what the caller leaves out. */
-    eight_whole i = (eight_whole)b->index, out;
-    out = (i == (int32_t)q->skip->from) | i >> 31;
-    out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
-    eight_whole maybe = ~out & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
+    maybe &= ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
     if (EIGHT_BITS(maybe) == 0) return false;
     eight det = v.e[0] + v.e[1] + v.e[2], scaled = 1 / det;
     eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
@@ -132,7 +133,7 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
                      : bvh8_shape(w, at, q) && any) return true;
     next:
         do if (top == stack) return false;
-        while (*--top >> 32 > float_bits(q->limit));
+        while (*--top >> 32 > float_bits(q->limit) && !any);
         at = (uint32_t)*top;
     }
 }
