@@ -63,8 +63,7 @@ static inline real radical_inverse(uint32_t base, uint32_t i)
 
 static inline uint32_t reversed_bits(uint32_t x)
 {
-    x = x >> 16 | x << 16;
-    x = (x >> 8 & 0x00ff00ff) | (x & 0x00ff00ff) << 8;
+    x = __builtin_bswap32(x);
     x = (x >> 4 & 0x0f0f0f0f) | (x & 0x0f0f0f0f) << 4;
     x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
     return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;

@@ -36,7 +36,7 @@
 #include "microfacet.h"
 #include "shading_frame.h"
 
-typedef enum { BRDF_LAMBERT, BRDF_BLINN_PHONG, BRDF_GGX, BRDF_MIRROR } brdf_kind;
+typedef enum { BRDF_BLACK, BRDF_LAMBERT, BRDF_BLINN_PHONG, BRDF_GGX, BRDF_MIRROR } brdf_kind;
 typedef struct {
     brdf_kind kind;
     vec3 diffuse;    /* Lambert, Blinn-Phong: albedo of the matte ground */
@@ -51,16 +51,19 @@ typedef struct {
 
 static inline brdf brdf_lambert(vec3 albedo)
 {
-    return (brdf){.kind = BRDF_LAMBERT, .diffuse = albedo};
+    return (brdf){.kind = vzero(albedo) ? BRDF_BLACK : BRDF_LAMBERT, .diffuse = albedo};
 }
 
-static inline brdf brdf_mirror(vec3 f0) { return (brdf){.kind = BRDF_MIRROR, .specular = f0}; }
+static inline brdf brdf_mirror(vec3 f0)
+{
+    return (brdf){.kind = vzero(f0) ? BRDF_BLACK : BRDF_MIRROR, .specular = f0};
+}
 
 static inline brdf brdf_ggx(vec3 f0, real roughness)
 {
     real r = real_clamp(roughness, 0, 1);
     if (!(r * r >= ggx_least_alpha)) return brdf_mirror(f0);
-    return (brdf){.kind = BRDF_GGX, .specular = f0, .alpha = r * r};
+    return (brdf){.kind = vzero(f0) ? BRDF_BLACK : BRDF_GGX, .specular = f0, .alpha = r * r};
 }
 
 /* Without a highlight: its matte ground alone, of which none is sampled or computed in vain. */
@@ -74,7 +77,7 @@ static inline brdf brdf_blinn_phong(vec3 diffuse, vec3 specular, real exponent)
 }
 
 static inline bool brdf_is_delta(const brdf *b) { return b->kind == BRDF_MIRROR; }
-static inline bool brdf_is_black(const brdf *b) { return vzero(b->diffuse) && vzero(b->specular); }
+static inline bool brdf_is_black(const brdf *b) { return b->kind == BRDF_BLACK; }
 
 /* Not above the horizon, a NaN included. Nearer to it than epsilon^2 a cosine is rounding. */
 static inline bool brdf_behind(vec3 w) { return !(w.z > real_epsilon * real_epsilon); }
@@ -97,14 +100,14 @@ static inline vec3 brdf_value_local(const brdf *b, vec3 wi, vec3 wo)
         return vscale(fresnel_schlick(b->specular, vdot(wo, m)),
                       ggx_d(b->alpha, m) / (2 * shadow));                               /* (23.9) */
     }
-    case BRDF_MIRROR: break;
+    case BRDF_BLACK: case BRDF_MIRROR: break;
     }
     return black;
 }
 
 static inline real brdf_pdf_local(const brdf *b, vec3 wi, vec3 wo)
 {
-    if (brdf_behind(wi) || brdf_behind(wo) || brdf_is_black(b)) return 0;
+    if (brdf_behind(wi) || brdf_behind(wo)) return 0;
     switch (b->kind) {
     case BRDF_LAMBERT: return pdf_cosine(wi);
     case BRDF_BLINN_PHONG:
@@ -112,7 +115,7 @@ static inline real brdf_pdf_local(const brdf *b, vec3 wi, vec3 wo)
              + b->chance * blinn_phong_pdf(b->exponent, wi, wo);
     case BRDF_GGX:
         return ggx_d(b->alpha, half_vector(wi, wo)) / (2 * (wo.z + ggx_s(b->alpha, wo)));
-    case BRDF_MIRROR: break;
+    case BRDF_BLACK: case BRDF_MIRROR: break;
     }
     return 0;
 }
@@ -149,7 +152,7 @@ static inline bool brdf_sample_ggx(const brdf *b, vec3 wo, real u, real v, vec3 
 static inline bool brdf_sample_local(const brdf *b, vec3 wo, real u, real v, vec3 *wi, real *pdf,
                                      vec3 *weight)
 {
-    if (brdf_behind(wo) || brdf_is_black(b)) return false;
+    if (brdf_behind(wo)) return false;
     switch (b->kind) {
     case BRDF_LAMBERT: {
         vec3 w = sample_cosine(u, v);
@@ -163,6 +166,7 @@ static inline bool brdf_sample_local(const brdf *b, vec3 wo, real u, real v, vec
         *wi = (vec3){-wo.x, -wo.y, wo.z}, *pdf = real_infinity;
         *weight = fresnel_schlick(b->specular, wo.z);
         return true;
+    case BRDF_BLACK: break;
     }
     return false;
 }
