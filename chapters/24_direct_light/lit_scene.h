@@ -11,7 +11,8 @@
  *   lit_trace(&s, r, &h)      what r meets first; h.s is 18's surface, turned to where r comes from
  *   lit_occluded_from(&s, r, i, e)    is there anything? Sooner for rays that 18's leave or
  *                             leave_between made: from triangle i [no_shape: none], to emitter e
- *                             [lit_dark: none]; so is lit_trace_from(&s, r, i, &h)
+ *                             [lit_dark: none]; so is lit_trace_from(&s, r, i, &h), and still
+ *                             sooner lit_trace_at(&s, &r, i, &h): r in memory, and it ends there
  *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
@@ -236,10 +237,10 @@ fast_inline surface lit_surface(const lit_scene *s, hit h)
 
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
  * for all of them. */
-fast_inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t look,
+fast_inline void lit_found(const lit_scene *s, vec3 d, surface x, size_t place, uint16_t look,
                            real t, lit_hit *out)
 {
-    real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
+    real side = vdot(x.n, d), turn = side > 0 ? -1 : 1;
     out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
     out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
     out->m = &s->material[look], out->emitter = s->emitter_of[place];
@@ -248,17 +249,22 @@ fast_inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, u
 
 /* out->s.shape: triangle, or m.triangles + shape. A ray that leaves triangle `from` never meets it
  * again (18.10): the search need not ask. */
+fast_inline bool lit_trace_at(const lit_scene *s, ray *r, uint32_t from, lit_hit *out)
+{
+    const world_but but = {0, from, 0, no_shape, no_shape};
+    trace_hit x;
+    if (!world_find(&s->world, MASK_ALL, but, r, &x)) return false;
+    uint32_t k = x.h.shape;
+    if (x.part == 0) lit_found(s, r->d, lit_surface(s, x.h), k, s->of_triangle[k], x.h.t, out);
+    else lit_found(s, r->d, surface_of_shape(&s->shape[k], *r, x.h), s->m.triangles + k,
+                   s->of_shape[k], x.h.t, out);
+    return true;
+}
+
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
-    const world_but but = {0, from, 0, no_shape, no_shape};
-    trace_hit x;
-    if (!world_find(&s->world, MASK_ALL, but, &own, &x)) return false;
-    uint32_t k = x.h.shape;
-    if (x.part == 0) lit_found(s, r, lit_surface(s, x.h), k, s->of_triangle[k], x.h.t, out);
-    else lit_found(s, r, surface_of_shape(&s->shape[k], r, x.h), s->m.triangles + k, s->of_shape[k],
-                   x.h.t, out);
-    return true;
+    return lit_trace_at(s, &own, from, out);
 }
 
 static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)

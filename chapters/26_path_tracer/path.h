@@ -293,7 +293,7 @@ fast_inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit 
 /* What the ray meets, with what is left of beta there; false: nothing. */
 fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
 {
-    if (!lit_trace_from(t->scene, w->r, w->left, x)) return false;
+    if (!lit_trace_at(t->scene, &w->r, w->left, x)) return false;
     if (t->glass && w->medium)
         w->beta = vmul(w->beta, absorbed(w->medium->sigma, x->t * vlength(w->r.d)));
     return true;
