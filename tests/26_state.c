@@ -290,7 +290,7 @@ static void test_materials(void)
         for (int k = 0; k < 3; k++)
             check_close((double)vaxis(value, k), is[i].kd[k] / (double)pi, 4 * real_epsilon,
                         "triangle %zu, Kd %d", i, k);
-        check_equal(m->Le.x, is[i].ke, "triangle %zu: Ke", i);
+        check_equal((double)m->Le.x, is[i].ke, "triangle %zu: Ke", i);
         check((c.s.emitter_of[i] != lit_dark) == (is[i].ke > 0), "a light, if it shines");
     }
     check(c.s.emitters == 1 && fabs(c.s.emitter->area - 1) <= 4 * real_epsilon,
