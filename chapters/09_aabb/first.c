@@ -51,7 +51,7 @@ int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "09_aabb_first");
     image im = image_new(width, height);
-    first_camera c = first_camera_at(vec(7.5, 7, 9.5), vec(0, 0, 0), vec(0, 1, 0), 38,
+    first_camera c = first_camera_at(vec(7.5, 7, 9.5), vec(0, -0.75, 0), vec(0, 1, 0), 44,
                                      width, height);
     build();
     for (int y = 0; y < height; y++)
