@@ -179,7 +179,7 @@ static place label(figure *g, const cost *c, double x, double y, const place *us
     double middle = (plot_left + plot_right) / 2.0;
     snprintf(text, sizeof text, "*%.2s* %s: %s", c->of->chapter, c->of->chapter + 3, c->of->what);
     for (char *t = text; *t && *t != ':'; t++) if (*t == '_') *t = ' ';  /* _ would slant */
-    double width = 8.0 * (double)strlen(text);
+    double width = 7.4 * (double)strlen(text);
     bool left = x < middle ? x - width > plot_left : x + width > plot_right + 20;
     place p = {left ? x - width : x + 9, left ? x - 9 : x + width, y};
     if (n > 0 && left == (x > middle)) p.y += 16;
