@@ -1,4 +1,5 @@
-/* embree.c: the tree eight wide against Embree 3, where that is installed (Debian: libembree-dev).
+/* embree.c: the tree eight wide, and 14's, against Embree 3, where that is installed (Debian:
+ * libembree-dev).
  *
  *   make embree                   teapots of 102,080 and 999,000 triangles, a soup of a million
  *   make embree MESH=FILE.obj     that mesh, too
@@ -15,18 +16,33 @@
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../../14_bvh/bvh.h"
 #include "leaky.h"
 
-enum { rays_a_kind = 50000, kinds = 3, rivals = 6, most_rounds = 21 };
-typedef bool search(const bvh8 *w, ray r, hit *out);
-typedef struct { RTCScene rtc; bvh8 *w; search *ask; const ray *r; bool any; size_t hits; } pass;
+enum { rays_a_kind = 50000, kinds = 3, rivals = 7, most_rounds = 21 };
+typedef struct { RTCScene rtc; bvh8 wide; bvh two; } trees;
+typedef bool search(const trees *t, ray r, hit *out);
+typedef struct { const trees *of; search *ask; const ray *r; bool any; size_t hits; } pass;
 typedef struct { float t; uint32_t shape; } answer;
 static answer answers[rays_a_kind];  /* both write them down */
 
-static bool shadow(const bvh8 *w, ray r, hit *out) { return *out = hit_none, bvh8_occluded(w, r); }
-static bool shadow_leaky(const bvh8 *w, ray r, hit *out)
+static bool closest(const trees *t, ray r, hit *out) { return bvh8_hit(&t->wide, r, out); }
+static bool closest_leaky(const trees *t, ray r, hit *out)
 {
-    return *out = hit_none, bvh8_occluded_leaky(w, r);
+    return bvh8_hit_leaky(&t->wide, r, out);
+}
+static bool closest_two(const trees *t, ray r, hit *out) { return bvh_hit(&t->two, r, out); }
+static bool shadow(const trees *t, ray r, hit *out)
+{
+    return *out = hit_none, bvh8_occluded(&t->wide, r);
+}
+static bool shadow_leaky(const trees *t, ray r, hit *out)
+{
+    return *out = hit_none, bvh8_occluded_leaky(&t->wide, r);
+}
+static bool shadow_two(const trees *t, ray r, hit *out)
+{
+    return *out = hit_none, bvh_occluded(&t->two, r);
 }
 
 static double run_ours(void *context)
@@ -35,7 +51,7 @@ static double run_ours(void *context)
     p->hits = 0;
     for (size_t i = 0; i < rays_a_kind; i++) {
         hit h = hit_none;
-        p->hits += p->ask(p->w, p->r[i], &h);
+        p->hits += p->ask(p->of, p->r[i], &h);
         answers[i] = (answer){(float)h.t, h.shape};
     }
     return (double)p->hits;
@@ -53,8 +69,8 @@ static double run_embree(void *context)
             .ray = {(float)r.o.x, (float)r.o.y, (float)r.o.z, (float)r.tmin, (float)r.d.x,
                     (float)r.d.y, (float)r.d.z, 0, (float)r.tmax, ~0u, 0, 0},
             .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = ~0u}};
-        if (p->any) rtcOccluded1(p->rtc, &c, &q.ray);
-        else rtcIntersect1(p->rtc, &c, &q);
+        if (p->any) rtcOccluded1(p->of->rtc, &c, &q.ray);
+        else rtcIntersect1(p->of->rtc, &c, &q);
         answers[i] = (answer){q.ray.tfar, q.hit.primID};
         p->hits += p->any ? q.ray.tfar < 0 : q.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
@@ -123,29 +139,32 @@ static void make_rays(const mesh *m, const bvh8 *w, ray r[kinds][rays_a_kind])
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const char *const rival_name[rivals] = {"Embree", "AVX-512", "AVX2", "plain C",
-                                               "leaky AVX-512", "leaky AVX2"};
+typedef struct { const char *name; eight_dialect dialect; search *ask[2]; } rival;  /* any hit: 1 */
+static const rival rival_of[rivals] = {
+    {"Embree", EIGHT_PLAIN, {NULL, NULL}},
+    {"AVX-512", EIGHT_AVX512, {closest, shadow}},
+    {"AVX2", EIGHT_AVX2, {closest, shadow}},
+    {"plain C", EIGHT_PLAIN, {closest, shadow}},
+    {"leaky AVX-512", EIGHT_AVX512, {closest_leaky, shadow_leaky}},
+    {"leaky AVX2", EIGHT_AVX2, {closest_leaky, shadow_leaky}},
+    {"14: two wide", EIGHT_PLAIN, {closest_two, shadow_two}}};
 static double product[kinds][rivals];  /* of logarithms */
 
-static void compare(const char *name, const mesh *m, bvh8 *w, RTCScene rtc, int rounds,
-                    table *t)
+static void compare(const char *name, const mesh *m, const trees *of, int rounds, table *t)
 {
     static ray rays[kinds][rays_a_kind];
     static const char *const kind[kinds] = {"primary", "diffuse", "shadow"};
-    static const eight_dialect dialect[rivals] = {EIGHT_PLAIN, EIGHT_AVX512, EIGHT_AVX2,
-                                                  EIGHT_PLAIN, EIGHT_AVX512, EIGHT_AVX2};
-    bvh8 as[rivals];
-    make_rays(m, w, rays);
+    trees as[rivals];
+    make_rays(m, &of->wide, rays);
     for (int k = 0; k < kinds; k++) {
         pass p[rivals];
         bench_candidate c[rivals];
         for (int i = 0; i < rivals; i++) {
-            as[i] = *w;
-            as[i].dialect = dialect[i] < w->dialect ? dialect[i] : w->dialect;
-            search *ask = i > 3 ? k == 2 ? shadow_leaky : bvh8_hit_leaky
-                                : k == 2 ? shadow : bvh8_hit;
-            p[i] = (pass){rtc, &as[i], ask, rays[k], k == 2, 0};
-            c[i] = (bench_candidate){.name = rival_name[i], .run = i ? run_ours : run_embree,
+            const rival *one = &rival_of[i];
+            as[i] = *of;
+            if (one->dialect < of->wide.dialect) as[i].wide.dialect = one->dialect;
+            p[i] = (pass){&as[i], one->ask[k == 2], rays[k], k == 2, 0};
+            c[i] = (bench_candidate){.name = one->name, .run = i ? run_ours : run_embree,
                                      .context = &p[i]};
         }
         double ratio[rivals][most_rounds], seconds = 0;
@@ -166,36 +185,37 @@ static void compare(const char *name, const mesh *m, bvh8 *w, RTCScene rtc, int 
     }
 }
 
-static void build_both(const char *name, mesh *m, int rounds, table *searches, table *builds)
+static void build_all(const char *name, mesh *m, int rounds, table *searches, table *builds)
 {
     ssize_t bytes = 0;
     double ours[9], theirs[9], start;
-    bvh8 w = {.nodes = 0};
+    int turns = rounds < 5 ? rounds : 5;
+    trees t = {.rtc = NULL};
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-    RTCScene rtc = NULL;
     failure f;
     bvh8_options how = bvh8_defaults;
     how.threads = 1;
     for (size_t i = 0; i < m->vertices; i++) m->v[i] = floats(m->v[i]);
     items x = items_of_mesh(m);
     rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
-    for (int k = 0; k < (rounds < 5 ? rounds : 5); k++) {
-        if (rtc) rtcReleaseScene(rtc);
-        rtc = embree_build(device, m, &bytes, &theirs[k]);
-        bvh8_free(&w);
+    for (int k = 0; k < turns; k++) {
+        if (t.rtc) rtcReleaseScene(t.rtc);
+        t.rtc = embree_build(device, m, &bytes, &theirs[k]);
+        bvh8_free(&t.wide);
         start = clock_seconds();
-        if (!bvh8_build(&x, how, &w, &f)) fail(f);
+        if (!bvh8_build(&x, how, &t.wide, &f)) fail(f);
         ours[k] = clock_seconds() - start;
     }
-    double mine = clock_median(ours, rounds < 5 ? rounds : 5);
-    double its = clock_median(theirs, rounds < 5 ? rounds : 5);
+    if (!bvh_build(&x, bvh_defaults, &t.two, &f)) fail(f);
+    double mine = clock_median(ours, turns), its = clock_median(theirs, turns);
     table_text(builds, "%s", name), table_count(builds, m->triangles);
-    table_number(builds, (double)w.room.bytes / (double)m->triangles);
+    table_number(builds, (double)t.wide.room.bytes / (double)m->triangles);
     table_number(builds, (double)bytes / (double)m->triangles);
     table_number(builds, mine * 1e3), table_number(builds, its * 1e3);
     table_text(builds, "%.2f", mine / its);
-    compare(name, m, &w, rtc, rounds, searches);
-    rtcReleaseScene(rtc), rtcReleaseDevice(device), bvh8_free(&w), mesh_free(m);
+    compare(name, m, &t, rounds, searches);
+    rtcReleaseScene(t.rtc), rtcReleaseDevice(device);
+    bvh8_free(&t.wide), bvh_free(&t.two), mesh_free(m);
 }
 
 int main(int argc, char **argv)
@@ -208,17 +228,17 @@ int main(int argc, char **argv)
     mesh m;
     int rounds = o.quick ? 5 : most_rounds, meshes = 0;
     table searches = table_new("How many times as fast as Embree", "mesh|rays|hits Embree|hits|"
-        "time Embree [ns]|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2");
+        "time Embree [ns]|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2|14: two wide");
     table builds = table_new("Building, one thread", "mesh|triangles|bytes|bytes Embree|"
         "time [ms]|time Embree [ms]|time ratio");
     table means = table_new("Geometric means",
-                            "rays|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2");
+                            "rays|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2|14: two wide");
     if (path && !obj_read(path, &m, &f)) fail(f);
-    if (path) build_both(strrchr(path, '/') ? strrchr(path, '/') + 1 : path, &m, rounds, &searches,
+    if (path) build_all(strrchr(path, '/') ? strrchr(path, '/') + 1 : path, &m, rounds, &searches,
                          &builds), meshes++;
     for (int k = 0; k < (o.quick ? 1 : 3); k++, meshes++) {
         m = k == 2 ? soup_mesh(1000000, 1, (real)0.01, 1) : teapot_mesh(k ? 125 : 40);
-        build_both(k == 2 ? "soup" : "teapot", &m, rounds, &searches, &builds);
+        build_all(k == 2 ? "soup" : "teapot", &m, rounds, &searches, &builds);
     }
     for (int k = 0; k < kinds; k++) {
         table_text(&means, "%s", k == 0 ? "primary" : k == 1 ? "diffuse" : "shadow");
