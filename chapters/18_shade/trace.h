@@ -145,14 +145,20 @@ static bool trace_find_asking(const tracer *t, const ray_program *g, ray *r, voi
     bool met = false;
     for (uint32_t k = 0; k < t->w->parts; k++) {
         const world_part *p = &t->w->part[k];
-        trace_asking a = {t, g, k, *r, payload, query_of(*r), false, false};
+        hit best;
+        bool end = false, found;
         if (!(p->mask & g->mask)) continue;
-        if (!p->opaque) trace_ask(&a, &p->tree);
-        else a.met = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : &a.q.best, NULL);
-        if (a.met && g->first) return true;
-        if (a.met && !(met && a.q.best.t == r->tmax))
-            met = true, *x = (trace_hit){a.q.best, k}, r->tmax = a.q.best.t;
-        if (a.end) break;
+        if (p->opaque) {
+            found = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : &best, NULL);
+        } else {
+            trace_asking a = {t, g, k, *r, payload, query_of(*r), false, false};
+            trace_ask(&a, &p->tree);
+            found = a.met, end = a.end, best = a.q.best;
+        }
+        if (found && g->first) return true;
+        if (found && !(met && best.t == r->tmax))
+            met = true, *x = (trace_hit){best, k}, r->tmax = best.t;
+        if (end) break;
     }
     return met;
 }
