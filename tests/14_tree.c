@@ -1,7 +1,7 @@
 /* The tree itself: selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/14_bvh/lab/cost.h"
-#include "../chapters/14_bvh/lab/greed.h"
+#include "../chapters/14_bvh/lab/greed_figure.h"
 #include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
@@ -368,21 +368,36 @@ static double every_tree(const bvh_box *box, int n)
     return least;
 }
 
-/* Unit cubes in a row: the best tree has one and three, the greedy one pairs; the root is 25. */
+/* Unit cubes in a row: the best tree has one and three, the greedy one pairs; the root is 50. */
 static void test_four_cubes(void)
 {
-    static const real at[4] = {0, 6, 11, 11};
-    mesh m = mesh_room(4);
-    bvh_item item[4];
-    for (size_t i = 0; i < 4; i++) {
-        m.v[3 * i] = vec(at[i], 0, 0), m.v[3 * i + 1] = vec(at[i] + 1, 1, 0);
-        m.v[3 * i + 2] = vec(at[i], 0, 1);
-        (void)triangle_item(&m, i, &item[i]);
-    }
-    check_close(greed_best(item, 4), 1 + 16 / 25.0, 1e-6, "four cubes, the best tree");
+    mesh m = greed_cubes();
+    bvh_item item[greed_four];
+    uint32_t cut[2][greed_sets] = {{0}};
+    for (size_t i = 0; i < greed_four; i++) (void)triangle_item(&m, i, &item[i]);
+    check_close(greed_best(item, 4, cut[1]), 82 / 50.0, 1e-6, "four cubes, the best tree");
     bvh_mesh b = made(&m, by_rule(rule_number("sah"), 1, 0.3));
-    check_close(tree_cost_of(&b.tree).nodes, 1 + 18 / 25.0, 1e-6, "four cubes, the greedy tree");
+    check_close(tree_cost_of(&b.tree).nodes, 86 / 50.0, 1e-6, "four cubes, the greedy tree");
+    check_equal(greed_cuts(&b, 0, cut[0]), 15, "all four are in it");
+    check_equal(cut[0][15], 3, "greed cuts off the first two");
+    check_equal(cut[1][15], 1, "the best tree the first");
+    check_equal(cut[1][14], 2, "and then the second");
     bvh_mesh_free(&b), mesh_free(&m);
+}
+
+/* What the drawing says, its marks left out, which is what the page says of it. */
+static void test_greed_drawn(void)
+{
+    static const char *const says[] = {
+        "= 60 + 12 = 72<", "= 6 + 78 = 84, dearer<", "(50 + 30 + 6) / 50 = 1.72<",
+        "(50 + 26 + 6) / 50 = 1.64, cheaper<", "only 6 / 26 reach C", "(B) = 30<", "(B) = 26<"};
+    static char svg[20000];
+    figure g = {.out = tmpfile()};
+    if (!g.out) abort();
+    draw_greed_on(&g);
+    child_slurp(g.out, svg, sizeof svg);
+    for (size_t k = 0; k < sizeof says / sizeof *says; k++)
+        check(strstr(svg, says[k]) != NULL, "the drawing of greed says %s", says[k]);
 }
 
 /* The best tree against all trees, and no rule below it. */
@@ -394,9 +409,9 @@ static void test_greed(void)
         bvh_box box[greed_items], all = box_empty();
         for (size_t i = 0; i < greed_items; i++) (void)triangle_item(&m, i, &item[i]);
         for (int i = 0; i < 6; i++) box[i] = item[i], box_add(&all, &box[i]);
-        check_close(greed_best(item, 6), every_tree(box, 6) / box_area(&all), 1e-14,
+        check_close(greed_best(item, 6, NULL), every_tree(box, 6) / box_area(&all), 1e-14,
                     "the best of the 945 trees of six triangles");
-        double least = greed_best(item, greed_items);
+        double least = greed_best(item, greed_items, NULL);
         for (int k = 0; k < bvh_rule_count; k++) {
             if (bvh_rules[k].through) continue;
             bvh_mesh b = made(&m, by_rule(k, 1, 0.3));
@@ -480,5 +495,5 @@ int main(void)
     bvh_mesh_free(&none);
     return check_all("14_tree", test_beyond, test_owed, test_select, test_depth, test_resident,
                      test_memory, test_refusals, test_heuristic, test_closed_form, test_reach,
-                     test_greed, test_four_cubes, test_shared_area);
+                     test_greed, test_four_cubes, test_greed_drawn, test_shared_area);
 }

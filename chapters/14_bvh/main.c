@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * Without options: the teapot of 102080 triangles, what each pixel took, a short table. --full: all
  * tables and plots. --mesh FILE.obj: that mesh, a picture only. --pixel X,Y: its ray. */
 #include "../07_mesh/files/obj.h"
-#include "lab/boxes_figure.h"
+#include "lab/greed_figure.h"
 #include "lab/pixel.h"
 #include "lab/runs.h"
 
@@ -61,7 +61,7 @@ int main(int argc, char **argv)
     o.own = path || pixel;
     if (pixel) bvh_explain(&o, &s.m, how, z_up, pixel);
     else trial_draw_mesh(&o, &s, &bvh_trial, &how, z_up, "14_bvh.png", path);
-    if (!o.own && !o.out) draw_nested(&o), draw_rules(&o, &s), measure(&o);
+    if (!o.own && !o.out) draw_nested(&o), draw_greed(&o), draw_rules(&o, &s), measure(&o);
     trial_scene_free(&s);
     return output_done(&o);
 }

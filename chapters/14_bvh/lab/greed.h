@@ -1,8 +1,11 @@
 /* greed.h: the best tree there is, and by how much the rules miss it.
  *
- *   greed_best(item, n)     the least sum of the areas of all inner boxes, over that of the root,
- *                           of all trees with one item in a leaf                            (14.7)
- *   table_of_greed(o)       sets of ten triangles by chance: each rule against the best
+ *   greed_best(item, n, cut)    the least sum of the areas of all inner boxes, over that of the
+ *                               root, of all trees with one item in a leaf                  (14.7)
+ *       uint32_t cut[1 << n]    out: of each set of two items or more, the part that its best tree
+ *                               cuts off; bit i: item i; NULL: not wanted
+ *   greed_cubes()               four unit cubes in a row: each a triangle that has it as its box
+ *   table_of_greed(o)           sets of ten triangles by chance: each rule against the best
  *
  * A set of n items has (2n - 3)!! trees: 34459425 for n = 10. But the best tree of a set is a best
  * cut of it with the best trees of its two parts, whatever is around it, so 2^n sets and 3^n cuts
@@ -21,7 +24,7 @@ enum { greed_items = 10 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline double greed_best(const bvh_item *item, int n)
+static inline double greed_best(const bvh_item *item, int n, uint32_t *cut)
 {
     uint32_t sets = (uint32_t)1 << n;
     double *best = allocate(sets, sizeof *best), *area = allocate(sets, sizeof *area);
@@ -32,13 +35,27 @@ static inline double greed_best(const bvh_item *item, int n)
         area[set] = box_area(&box);
         if (!(set & (set - 1))) continue;  /* one item: a leaf */
         double least = HUGE_VAL;
-        for (uint32_t left = (set - 1) & set; left > (set & ~left); left = (left - 1) & set)
-            least = fmin(least, best[left] + best[set & ~left]);
+        for (uint32_t left = (set - 1) & set; left > (set & ~left); left = (left - 1) & set) {
+            double sum = best[left] + best[set & ~left];
+            if (cut && sum < least) cut[set] = set & ~left;
+            least = fmin(least, sum);
+        }
         best[set] = area[set] + least;
     }
     double sum = best[sets - 1] / area[sets - 1];
     free(best), free(area);
     return sum;
+}
+
+static inline mesh greed_cubes(void)
+{
+    static const real at[] = {0, 6, 11, 11};
+    mesh m = mesh_room(sizeof at / sizeof *at);
+    for (size_t i = 0; i < m.triangles; i++) {
+        m.v[3 * i] = vec(at[i], 0, 0), m.v[3 * i + 1] = vec(at[i] + 1, 1, 0);
+        m.v[3 * i + 2] = vec(at[i], 0, 1);
+    }
+    return m;
 }
 
 /* Ten triangles of a tenth to the whole of the cube's size. */
@@ -67,7 +84,7 @@ static inline void table_of_greed(const options *o)
         mesh m = greed_mesh(seed);
         bvh_item item[greed_items];
         for (size_t i = 0; i < greed_items; i++) (void)triangle_item(&m, i, &item[i]);
-        double least = greed_best(item, greed_items);
+        double least = greed_best(item, greed_items, NULL);
         for (int k = 0; k < bvh_rule_count; k++) {
             bvh_mesh b;
             failure f;
