@@ -142,6 +142,13 @@ fast_inline void bin_add(const splitter *s, split_bins *b, const bvh_item *i, in
     b[way].n[at]++;
 }
 
+fast_inline void bins_add(const splitter *s, split_bins *b, const bvh_item *i)
+{
+    EIGHT_UNROLL
+    for (int k = 0; k < 3; k++) bin_add(s, b, i, k);
+    if (s->ways > 3) bin_add(s, b, i, 3);
+}
+
 /* A side of a cut: its area, times how many tests it takes. */
 static inline double split_side(const splitter *s, const bvh_box *box, size_t n)
 {
@@ -183,10 +190,11 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
     split_scale(s, n);
     for (int k = 0; k < s->ways; k++)
         for (int i = 0; i < s->bins; i++) bins[k].box[i] = box_empty(), bins[k].n[i] = 0;
-    for (size_t i = 0; i < n; i += sample_step(n)) {
-        EIGHT_UNROLL
-        for (int k = 0; k < 3; k++) bin_add(s, bins, &item[i], k);
-        if (s->ways > 3) bin_add(s, bins, &item[i], 3);
+    /* From both halves in turn: neighbours share a bin, and the second would wait for the first. */
+    size_t step = sample_step(n), half = (n + 2 * step - 1) / (2 * step) * step;
+    for (size_t i = 0; i < half; i += step) {
+        bins_add(s, bins, &item[i]);
+        if (half + i < n) bins_add(s, bins, &item[half + i]);
     }
     for (int k = 0; k < s->ways; k++)
         if (s->scale[k] > 0) sweep_bins(s, &bins[k], k, &best);
