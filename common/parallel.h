@@ -108,8 +108,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     return atomic_load(&w.next) >= n && !atomic_load(&parallel_stop);
 }
 
-/* The same for a result that is nothing unless it is whole, like a table: after Ctrl-C the program
- * ends, with exit 130 (SIGTERM: 143). */
+/* Of a result that is nothing unless whole: Ctrl-C ends the program, with exit 130 (TERM: 143). */
 static inline void parallel_whole(size_t n, int threads, const char *what, parallel_job *job,
                                   void *context)
 {
@@ -117,7 +116,7 @@ static inline void parallel_whole(size_t n, int threads, const char *what, paral
 }
 
 enum { parallel_side = 16 };  /* of a tile, pixels */
-typedef struct { int width, height, across; pixel_job *job; void *context; } parallel_tiles;
+typedef struct { int width, height, across, nested; pixel_job *job; void *context; } parallel_tiles;
 
 static inline void parallel_tile(size_t i, void *tiles)
 {
@@ -125,17 +124,18 @@ static inline void parallel_tile(size_t i, void *tiles)
     int x0 = (int)(i % (size_t)t->across) * parallel_side;
     int y0 = (int)(i / (size_t)t->across) * parallel_side;
     for (int y = y0; y < y0 + parallel_side && y < t->height; y++)
-        for (int x = x0; x < x0 + parallel_side && x < t->width; x++) t->job(x, y, t->context);
+        for (int x = x0; x < x0 + parallel_side && x < t->width; x++)
+            if (t->nested || !atomic_load(&parallel_stop)) t->job(x, y, t->context);
 }
 
-/* job(x, y) for each pixel, by tiles of 16 x 16, from the top. Otherwise as parallel_for. */
+/* As parallel_for: job(x, y) for each pixel, by tiles of 16 x 16; Ctrl-C waits for pixels alone. */
 __attribute__((warn_unused_result))
 static inline bool parallel_pixels(int width, int height, int threads, const char *what,
                                    pixel_job *job, void *context)
 {
     int across = (width + parallel_side - 1) / parallel_side;
     int down = (height + parallel_side - 1) / parallel_side;
-    parallel_tiles t = {width, height, across, job, context};
+    parallel_tiles t = {width, height, across, parallel_inside, job, context};
     return parallel_for((size_t)across * (size_t)down, threads, what, parallel_tile, &t);
 }
 #endif

@@ -187,6 +187,34 @@ static void nested_interrupt(void *context)
     printf("%d %d", whole, calls);
 }
 
+static void interrupt_at_pixel(int x, int y, void *context)
+{
+    count(0, context);
+    if (x == 5 && y == 3) raise(SIGINT);
+}
+
+static void within_a_tile(void *context)
+{
+    atomic_int calls = 0;
+    (void)context;
+    bool whole = parallel_pixels(width, height, 1, "picture", interrupt_at_pixel, &calls);
+    printf("%d %d", whole, calls);
+}
+
+static void draw_within(size_t i, void *context)
+{
+    (void)i;
+    if (!parallel_pixels(20, 10, 2, "inner", interrupt_at_pixel, context)) abort();
+}
+
+static void picture_within(void *context)
+{
+    atomic_int calls = 0;
+    (void)context;
+    bool whole = parallel_for(7, 1, "outer", draw_within, &calls);
+    printf("%d %d", whole, calls);
+}
+
 static void test_interrupt(void)
 {
     char in_tmp[] = "/tmp/parallel_test.out";
@@ -203,6 +231,8 @@ static void test_interrupt(void)
     check_text(child_run(last_piece, NULL).out, "0", "Ctrl-C in the last piece is not forgotten");
     check_text(child_run(nested_interrupt, NULL).out, "0 20",
                "a loop within a job is done in full, and does not forget the Ctrl-C");
+    check_text(child_run(within_a_tile, NULL).out, "0 54", "a picture ends after that pixel");
+    check_text(child_run(picture_within, NULL).out, "0 200", "but not a picture within a job");
     r = child_run(for_a_table, NULL);
     check_text(r.out, "10", "no table of half the work");
     check(strstr(r.err, ": stopped\n") != NULL, "it says so: %s", r.err);
