@@ -266,9 +266,9 @@ static void test_random_triangles(void)
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream s = random_start(6, 0, i);
         real size = size_between(&s, real_is_float ? -4 : -9, 0), thin = size_between(&s, -3, 0);
-        vec3 a = {random_between(&s, -1, 1), random_between(&s, -1, 1), random_between(&s, -1, 1)};
+        vec3 a = random_in_cube(&s, 1);
         vec3 e = random_in_cube(&s, 1), p = {0, 0, 0};
-        vec3 f = {random_between(&s, -1, 1), random_between(&s, -1, 1), random_between(&s, -1, 1)};
+        vec3 f = random_in_cube(&s, 1);
         triangle t = {a, vmadd(a, e, size),
                       vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
         vec3 v[3] = {t.a, t.b, t.c};

@@ -239,6 +239,8 @@ wait
 [ -z "${KEEP:-}" ] || cp "$scratch"/run/*.out "$KEEP"
 [ -s "$scratch/run/failed" ] && no "$(cat "$scratch/run/failed")"
 for name in $names; do
+    lines=$(grep -c '' "$scratch/run/$name.out" 2>/dev/null)
+    [ -n "$(full "$name")" ] || [ "${lines:-0}" -le 30 ] || no "$name prints $lines lines, more than a screen"
     for page in README.md MEASURED.md; do
         if ! [ -f "$root/chapters/$name/$page" ] || ! [ -f "$scratch/run/$name.out" ]; then continue; fi
         [ "${REAL:-double}" = float ] && all=yes || all=$(full "$name")

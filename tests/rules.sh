@@ -179,6 +179,10 @@ cap common/numbers 1170  # 1000, and eight.h with dialects.h, which were concept
 cap common/lab 1275  # 1200, and t_test.h, which was a concept of 20
 lines=$(cat chapters/15_wide_bvh/[!f]*.h | wc -l)  # all but first.h; eight.h and dialects.h count above
 if [ "$lines" -le 700 ]; then ok; else no "the concept of 15_wide_bvh has $lines lines, at most 700 are wanted"; fi
+# In front, where the lesson is: no short book, no laboratory, no readers of files, no shared scenes.
+lines=$(find chapters -name '*.h' ! -name first.h ! -path '*/lab/*' ! -path '*/trials/*' ! -path '*/files/*' \
+    ! -path '*/scenes/*' -exec cat {} + | wc -l)
+if [ "$lines" -le 20000 ]; then ok; else no "concepts have $lines lines, at most 20000 are wanted"; fi
 lines=$(wc -l < common/vec3.h)
 if [ "$lines" -lt 150 ]; then ok; else no "vec3.h has $lines lines, fewer than 150 are wanted"; fi
 for main in chapters/*/main.c; do  # options, then calls
