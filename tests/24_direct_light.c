@@ -96,7 +96,7 @@ static setting setting_of(int i)
 static lit_hit place(vec3 p, const lit_material *m)
 {
     surface s = {p, up, up, 2 * real_epsilon * surface_reach(p), 0, no_shape};
-    return (lit_hit){s, m, lit_dark, 1, true};
+    return (lit_hit){s, m, lit_dark, 1, true, false};
 }
 
 typedef struct { estimate e; direct_work w; double most; } outcome;

@@ -81,7 +81,7 @@ static estimate by_both(const setting *t, size_t n)
     direct_work work = {0, 0, 0};
     direct d = {&s, DIRECT_POWER, &l, &work, false};
     lit_material white = {.f = brdf_lambert((vec3){1, 1, 1})};
-    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &white, lit_dark, 1, true};
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &white, lit_dark, 1, true, false};
     estimate e = {0, 0, 0};
     for (size_t i = 0; i < n; i++) {
         sampler q = sampler_start(SEQUENCE_RANDOM, 3, 0, (uint32_t)i, (uint32_t)n);

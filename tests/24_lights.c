@@ -179,10 +179,11 @@ static void test_joined(void)
 
 /* ---- emitters ---- */
 
-enum { specimens = 8 };
+enum { specimens = 10 };
 static emitter specimen(int i)
 {
     vec3 Le = vec(1, 1, 1);
+    emitter turned;
     switch (i) {
     case 0:
         return emitter_of_rectangle((rectangle){vec(-1, -1, 2), vec(0, 2, 0), vec(2, 0, 0)}, Le);
@@ -196,8 +197,16 @@ static emitter specimen(int i)
     case 4: return emitter_of_sphere((sphere){vec(0, 0, 3), 1}, Le);
     case 5: return emitter_of_sphere((sphere){vec(0, 0, 1.001), 1}, Le);
     case 6: return emitter_of_sphere((sphere){vec(.2, .3, .1), -1}, Le);
-    default: return emitter_of_sphere((sphere){vec(3, 2, 100), .01}, Le);
+    case 7: return emitter_of_sphere((sphere){vec(3, 2, 100), .01}, Le);
+    case 8:
+        turned = emitter_of_rectangle((rectangle){vec(-1, -1, 2), vec(2, 0, 0), vec(0, 2, 0)}, Le);
+        break;
+    default:
+        turned = emitter_of_triangle(
+            (triangle){vec(-1, -1, 1), vec(1, -1, 1.5), vec(0, 2, 1)}, Le);
     }
+    turned.both = true;
+    return turned;
 }
 
 static double emitter_omega(const emitter *e, vec3 p)
@@ -326,13 +335,14 @@ static void test_bounds(void)
 /* What cannot be seen is not sampled, and no pdf says otherwise. */
 static void test_unseen(void)
 {
-    emitter r = specimen(0), s = specimen(4), in = specimen(6);
+    emitter r = specimen(0), s = specimen(4), in = specimen(6), two = specimen(8);
     triangle line = {vec(0, 0, 1), vec(1, 0, 1), vec(2, 0, 1)};
     emitter flat = emitter_of_triangle(line, vec(1, 1, 1));
     emitter dot = emitter_of_sphere((sphere){vec(0, 0, 1), 0}, vec(1, 1, 1));
     const struct { const emitter *e; vec3 p; const char *what; } dark[] = {
         {&r, vec(0, 0, 3), "behind a rectangle"}, {&r, vec(7, 1, 2), "in its plane"},
-        {&r, vec(.5, .5, 2), "in the rectangle"}, {&s, vec(0, .5, 3), "inside a sphere"},
+        {&r, vec(.5, .5, 2), "in the rectangle"},
+        {&two, vec(7, 1, 2), "in the plane of two sides"}, {&s, vec(0, .5, 3), "inside a sphere"},
         {&in, vec(5, 0, 0), "outside of one that shines inwards"},
         {&flat, vec(0, 0, 0), "no area"}, {&dot, vec(0, 0, 0), "radius 0"}};
     for (size_t i = 0; i < sizeof dark / sizeof *dark; i++) {
@@ -347,6 +357,7 @@ static void test_unseen(void)
         check_equal(emitter_pdf_angle(dark[i].e, dark[i].p), 0, "%s: pdf", dark[i].what);
     }
     check_equal(emitter_pdf_area(&r, vec(0, 0, 3), vec(0, 0, 2)), 0, "area pdf from behind");
+    check_equal((double)emitter_power(&two), 2 * (double)emitter_power(&r), "power of two sides");
     real most = real_largest / 16;  /* its square is no real */
     const rectangle odd[] = {{vec(0, 0, 0), {most, 0, 0}, {0, most, 0}},
                              {vec(0, 0, 0), {(real)NAN, 0, 0}, vec(0, 1, 0)},

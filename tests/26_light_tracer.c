@@ -102,9 +102,9 @@ static void glass_ball(showcase *c, lit_material glass, bool table)
     c->eye = showcase_eye(vec(0, 1.1, 2), vec(0, 0, 0), 40, 1);
 }
 
-/* The Cornell box; a floor and a rough ball under a triangle and a ball that shine; the caustic of
- * a ball of dark glass that is itself out of sight: what is seen through glass no path from the
- * lamp can show; a table in the ball, seen from there. */
+/* The Cornell box; a floor and a rough ball under a triangle that shines from both sides, and under
+ * a ball; the caustic of a ball of dark glass that is itself out of sight: what is seen through
+ * glass no path from the lamp can show; a table in the ball, seen from there. */
 static void test_scenes(void)
 {
     showcase c;
@@ -115,7 +115,7 @@ static void test_scenes(void)
     c = (showcase){.has_sky = false};
     lit_begin(&c.s);
     showcase_floor(&c.s, (vec3){0, 0, 0}, 4, vec(.5, .6, .7));
-    uint16_t lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
+    uint16_t lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1), .both = true});
     uint16_t dim = lit_add_material(&c.s, (lit_material){.Le = vec(1, 1, 2)});
     lit_add_triangle(&c.s, (triangle){vec(-3, 2, -2), vec(-1, 2, -2), vec(-2, 3, 0)}, lamp);
     uint16_t rough = lit_add_material(&c.s, (lit_material){.f = brdf_ggx(vec(.9, .9, .9), 1)});

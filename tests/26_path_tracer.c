@@ -4,6 +4,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/25_bounces/naive_path.h"
+#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
 #include "../chapters/26_path_tracer/render.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"
 
@@ -377,6 +378,40 @@ static void test_in_glass(void)
     lit_free(&s);
 }
 
+/* A lamp over a floor to which it has its front, its back, or, shining from both, either of them:
+ * dark, or the closed form of 22; and what the eye sees of it itself. */
+static void test_sides(void)
+{
+    for (int k = 0; k < 4; k++) {
+        bool front = k & 1, both = k & 2, shines = front || both;
+        lit_scene s;
+        estimate e[3][3];
+        vec3 a = {2, 0, 0}, b = {0, 0, 2}, p = vec(.2, -1, .1);
+        rectangle down = {vec(-1, 1, -1), a, b}, up = {down.o, b, a};
+        lit_begin(&s);
+        uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+        uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(1, 2, 3), .both = both});
+        lit_add_rectangle(&s, (rectangle){vec(-4, -1, 4), vec(8, 0, 0), vec(0, 0, -8)}, grey);
+        lit_add_rectangle(&s, front ? down : up, lamp);
+        lit_end(&s);
+        double E = (double)rectangle_irradiance(down, p, (vec3){0, 1, 0});
+        ray r = ray_from(vec(4, 0, 3), vsub(p, vec(4, 0, 3)));
+        if (shines) test_strategies(&s, NULL, r, 52, "one or two sides", e);
+        for (int way = 0; shines && way < 3; way++)
+            check_at_least(t_test(e[way][1], 2 * 0.5 * E / (double)pi, 1e-5), false_alarm,
+                           "case %d, strategy %d: %g", k, way, e[way][1].mean);
+        path_tracer t;
+        path_counts c = {0};
+        path_random q = path_start(&path_defaults, 1, 0, 0, 1);
+        path_tracer_of(&s, NULL, path_defaults, &t);
+        vec3 below = path_radiance(&t, ray_from(vec(0, -.5, 3), vec(0, 1.5, -3)), &q, &c);
+        vec3 above = path_radiance(&t, ray_from(vec(0, 3, 3), vec(0, -2, -3)), &q, &c);
+        check_equal((double)below.z, shines ? 3 : 0, "case %d: seen from below", k);
+        check_equal((double)above.z, both || !front ? 3 : 0, "case %d: seen from above", k);
+        path_tracer_free(&t), lit_free(&s);
+    }
+}
+
 /* ---- rough glass that is lit ---- */
 
 /* A ball of rough glass that absorbs, in it a small lamp; a lamp above, one beside it, a sky: what
@@ -602,7 +637,7 @@ int main(void)
 {
     return check_all("26_path_tracer", test_roulette, test_closed_sphere, test_furnace,
                      test_leaning_normals, test_glass, test_rough_glass, test_called_for,
-                     test_choice_of_light, test_counts, test_in_glass, test_rough_lit,
+                     test_choice_of_light, test_counts, test_in_glass, test_sides, test_rough_lit,
                      test_rough_noise, test_rough_point, test_no_light, test_strategies_agree,
                      test_naive);
 }

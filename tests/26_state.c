@@ -273,7 +273,7 @@ static void write_fin(const char *name, bool z_up)
 #define MODEL "mtllib a.mtl b.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nusemtl nobody\nf 1 2 3\n"   \
     "usemtl red\nf 1 2 3\nusemtl lamp\nf 1 2 3\nusemtl loud\nf 1 2 3\nusemtl red\nf 1 2 3\n"
 #define RED "newmtl unused\nKd 1 1 1\nKs 1 1 1\nnewmtl red\nKd 0.5 0.25 0\n"
-#define OTHERS "newmtl red\nKd 0 0 1\nnewmtl lamp\nKd 0 0 0\nKe 3 2 1\nnewmtl loud\nKd 2 1 0\n"
+#define OTHERS "newmtl red\nKd 0 0 1\nnewmtl lamp\nKe 3 2 1\nnewmtl loud\nKd 2 1 0\n"
 
 static void test_materials(void)
 {
@@ -296,8 +296,10 @@ static void test_materials(void)
     check(c.s.emitters == 1 && fabs(c.s.emitter->area - 1) <= 4 * real_epsilon,
           "one emitter, of the triangle's area");
     check_equal(c.s.materials, 5, "grey, three of the model, the floor: a material each");
+    check(c.s.emitter->both, "which shines from both sides");
     showcase_free(&c);
     check_equal(go("@m.obj --size 8x6 --samples 2 --save @m.state --out @p.pfm"), 0, "a state");
+    check(printed("err", "m.obj: material 'nobody' is nowhere described: grey\n"), "is named");
     check(!printed("err", "only Kd"), "an unused material says nothing");
     put("a.mtl", RED "Ks 1 1 1\n");
     check_equal(go("@m.obj --size 8x6 --samples 3 --resume @m.state --out @p.pfm"), 2,
@@ -312,6 +314,14 @@ static void test_materials(void)
     remove(in_directory("a.mtl"));
     check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "a library that is not there");
     check(printed("err", "mtllib a.mtl: no such file"), "is named");
+    check(printed("err", "material 'nobody' is nowhere described"), "b.mtl might have it");
+    remove(in_directory("b.mtl"));
+    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "no library");
+    check(!printed("err", "nowhere"), "that is said already");
+    put("m.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl None\nf 1 2 3\nusemtl\nf 1 2 3\nusemtl b\n"
+        "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl (null)\nf 1 2 3\n");
+    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "none is asked for");
+    check(printed("err", "material 'a' is nowhere described: grey (and 1 more)\n"), "both names");
 }
 
 /* One run, a part of it resumed, and three ranges merged are the same bytes; --up z is the model

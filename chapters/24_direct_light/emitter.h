@@ -9,11 +9,11 @@
  *   emitter e = emitter_of_triangle(t, Le);     shines where (b - a) x (c - a) points
  *   emitter e = emitter_of_rectangle(r, Le);    where s x t points
  *   emitter e = emitter_of_sphere(s, Le);       outwards; inwards if s.r < 0
- *       Le: radiance of the front [W/(m^2 sr)]; the back is dark. All that does not depend on p is
- *       computed here, once.
+ *       Le: radiance of the front [W/(m^2 sr)]; the back is dark, or with e.both = true, of what is
+ *       flat, as bright. All that does not depend on p is computed here, once.
  *
  *   emitter_power(&e)                area x radiance: what it gives off, but for a factor pi / 3
- *   vec3 x = emitter_at(&e, u, &n)   x uniform in area, and the unit normal there
+ *   vec3 x = emitter_at(&e, u, &n)   x uniform in area, and the unit normal of the front
  *   emitter_by_area(&e, p, u, &x)    draws x.s (on the light, for leave_between), x.wi (unit, from
  *   emitter_by_angle(&e, p, u, &x)   p) and x.pdf [1/sr]; no cosine is included. false: p is
  *                                    behind it or in its plane, inside of a sphere, or the point
@@ -44,6 +44,7 @@
 typedef enum { EMITTER_TRIANGLE, EMITTER_RECTANGLE, EMITTER_SPHERE } emitter_kind;
 typedef struct {
     emitter_kind kind;
+    bool both;            /* flat: shines from the back, too */
     union { triangle triangle; rectangle rectangle; sphere sphere; };
     vec3 n;               /* unit normal of the front; sphere: 0 */
     real area;            /* > 0, or it does not shine */
@@ -89,7 +90,7 @@ static inline emitter emitter_of_sphere(sphere s, vec3 Le)
 
 static inline real emitter_power(const emitter *e)
 {
-    return e->area * (e->Le.x + e->Le.y + e->Le.z);
+    return (e->both ? 2 : 1) * e->area * (e->Le.x + e->Le.y + e->Le.z);
 }
 
 static inline surface emitter_surface(const emitter *e, vec3 x, vec3 n)
@@ -101,6 +102,19 @@ static inline surface emitter_surface(const emitter *e, vec3 x, vec3 n)
 static inline real emitter_height(const emitter *e, vec3 p)
 {
     return vdot(e->n, vsub(p, e->kind == EMITTER_TRIANGLE ? e->triangle.a : e->rectangle.o));
+}
+
+/* Does a flat one shine to where p is? */
+static inline bool emitter_faces(const emitter *e, vec3 p)
+{
+    real h = emitter_height(e, p);
+    return h > 0 || (e->both && h < 0);
+}
+
+/* n, the normal of the front, or of the side that p sees, if both shine. */
+static inline vec3 emitter_side(const emitter *e, vec3 n, vec3 p)
+{
+    return e->both && emitter_height(e, p) < 0 ? vneg(n) : n;
 }
 
 /* (24.4). vdot(n, wi) = -cos_x. */
@@ -146,12 +160,12 @@ fast_inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_poi
     if (e->kind == EMITTER_SPHERE && e->sphere.r < 0 && !emitter_sphere_around(e->sphere, p))
         return false;
     vec3 n, x = emitter_at(e, u, &n);
-    return emitter_seen(e, x, n, p, out);
+    return emitter_seen(e, x, emitter_side(e, n, p), p, out);
 }
 
 static inline real emitter_pdf_area(const emitter *e, vec3 p, vec3 x)
 {
-    vec3 n = e->kind == EMITTER_SPHERE ? sphere_normal(e->sphere, x) : e->n;
+    vec3 n = e->kind == EMITTER_SPHERE ? sphere_normal(e->sphere, x) : emitter_side(e, e->n, p);
     vec3 to = vsub(x, p), wi = vunit(to);
     return e->area > 0 && vdot(n, wi) < 0 ? emitter_density(e, to, wi, n) : 0;
 }
@@ -219,7 +233,7 @@ static inline bool emitter_by_angle(const emitter *e, vec3 p, point2 u, emitter_
     real omega;
     if (!(e->area > 0)) return false;
     if (e->kind == EMITTER_SPHERE) return emitter_sphere_by_angle(e, p, u, out);
-    if (!(emitter_height(e, p) > 0)) return false;
+    if (!emitter_faces(e, p)) return false;
     if (e->kind == EMITTER_TRIANGLE) {
         spherical_triangle k = spherical_triangle_of(e->triangle, p);
         omega = k.omega;
@@ -229,7 +243,8 @@ static inline bool emitter_by_angle(const emitter *e, vec3 p, point2 u, emitter_
     } else {
         if (!emitter_rectangle_sample(e->rectangle, p, u, &x, &omega)) return false;
     }
-    *out = (emitter_point){emitter_surface(e, x, e->n), vunit(vsub(x, p)), 1 / omega};
+    surface s = emitter_surface(e, x, emitter_side(e, e->n, p));
+    *out = (emitter_point){s, vunit(vsub(x, p)), 1 / omega};
     return !vzero(out->wi);
 }
 
@@ -243,7 +258,7 @@ static inline real emitter_pdf_angle(const emitter *e, vec3 p)
         real h = sphere_cone(e->sphere, p).half_sine2;
         return h > 0 && h < 1 ? 1 / (4 * pi * h) : 0;
     }
-    if (!(emitter_height(e, p) > 0)) return 0;
+    if (!emitter_faces(e, p)) return 0;
     if (e->kind == EMITTER_TRIANGLE) omega = fabs(triangle_solid_angle(e->triangle, p));
     else omega = fabs(rectangle_solid_angle(e->rectangle, p));
     return omega > 0 ? 1 / omega : 0;

@@ -13,7 +13,7 @@
  *                             leave_between made: from triangle i [no_shape: none], to emitter e
  *                             [lit_dark: none]; so is lit_trace_from(&s, r, i, &h), and still
  *                             sooner lit_trace_at(&s, &r, i, &h): r in memory, and it ends there
- *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
+ *   lit_emitted(&h)           radiance towards the origin of r: Le, or 0 where h.shines is false
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
  * (18.5), (18.6), (18.9) of triangles, lights. lit_trace of a triangle is a search, then two
@@ -39,6 +39,7 @@ typedef struct {
     real ior;       /* > 0: dielectric between inside (behind n) and outside; f is unused */
     real alpha;     /* of it: 0 smooth, else its facets (23.6) */
     vec3 sigma;     /* absorption inside, per unit of length */
+    bool both;      /* what is flat shines from its back, too */
 } lit_material;
 
 /* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
@@ -75,6 +76,7 @@ typedef struct {
     uint32_t emitter;         /* or lit_dark */
     real t;
     bool front;               /* n.d < 0 before it was turned */
+    bool shines;              /* to where the ray comes from */
 } lit_hit;
 
 #define lit_dark UINT32_MAX
@@ -91,9 +93,10 @@ static inline uint16_t lit_add_material(lit_scene *s, lit_material m)
     return (uint16_t)s->materials++;
 }
 
-/* The index of a new emitter, or lit_dark. */
-static inline uint32_t lit_emitter(lit_scene *s, emitter e)
+/* The index of a new emitter of that look, or lit_dark. */
+static inline uint32_t lit_emitter(lit_scene *s, uint16_t look, emitter e)
 {
+    e.both = s->material[look].both && e.kind != EMITTER_SPHERE;
     if (!(e.area > 0) || !isfinite(e.area) || vzero(e.Le)) return lit_dark;
     s->emitter = grown(s->emitter, s->emitters, &s->room.emitters, sizeof e);
     s->emitter[s->emitters] = e;
@@ -130,7 +133,7 @@ static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t look)
     s->m.v[v] = t.a, s->m.v[v + 1] = t.b, s->m.v[v + 2] = t.c;
     s->m.vertices += 3;
     lit_join(s, v, v + 1, v + 2, look,
-             lit_emitter(s, emitter_of_triangle(t, s->material[look].Le)));
+             lit_emitter(s, look, emitter_of_triangle(t, s->material[look].Le)));
 }
 
 static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
@@ -141,7 +144,7 @@ static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
     s->m.v[v] = r.o, s->m.v[v + 1] = b, s->m.v[v + 2] = vadd(b, r.t);
     s->m.v[v + 3] = vadd(r.o, r.t);
     s->m.vertices += 4;
-    uint32_t e = lit_emitter(s, emitter_of_rectangle(r, s->material[look].Le));
+    uint32_t e = lit_emitter(s, look, emitter_of_rectangle(r, s->material[look].Le));
     lit_join(s, v, v + 1, v + 2, look, e);
     lit_join(s, v, v + 2, v + 3, look, e);
 }
@@ -160,7 +163,7 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
     for (size_t i = 0; i < from->triangles; i++) {
         const uint32_t *k = from->index + 3 * i;
         emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[look].Le);
-        lit_join(s, v + k[0], v + k[1], v + k[2], look, lit_emitter(s, e));
+        lit_join(s, v + k[0], v + k[1], v + k[2], look, lit_emitter(s, look, e));
         if (!from->n) continue;
         const uint32_t *of = (from->normal_index ? from->normal_index : from->index) + 3 * i;
         for (int j = 0; j < 3; j++)
@@ -194,10 +197,10 @@ static inline void lit_end(lit_scene *s)
     s->emitter_of = grown_by(s->emitter_of, n, s->shapes, &s->room.emitter_of,
                              sizeof *s->emitter_of);
     for (size_t i = 0; i < s->shapes; i++) {
-        bool ball = s->shape[i].kind == SHAPE_SPHERE;
-        vec3 Le = s->material[s->of_shape[i]].Le;
-        uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
-        s->emitter_of[n + i] = e;
+        uint16_t look = s->of_shape[i];
+        vec3 Le = s->material[look].Le;
+        s->emitter_of[n + i] = s->shape[i].kind != SHAPE_SPHERE ? lit_dark
+            : lit_emitter(s, look, emitter_of_sphere(s->shape[i].sphere, Le));
     }
     s->skip = allocate(s->emitters, sizeof *s->skip);
     for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;
@@ -245,6 +248,7 @@ fast_inline void lit_found(const lit_scene *s, vec3 d, surface x, size_t place, 
     out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
     out->m = &s->material[look], out->emitter = s->emitter_of[place];
     out->t = t, out->front = side < 0;
+    out->shines = out->emitter != lit_dark && (side < 0 || s->emitter[out->emitter].both);
 }
 
 /* out->s.shape: triangle, or m.triangles + shape. A ray that leaves triangle `from` never meets it
@@ -283,7 +287,7 @@ static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, u
 
 static inline vec3 lit_emitted(const lit_hit *h)
 {
-    return h->front && h->emitter != lit_dark ? h->m->Le : (vec3){0, 0, 0};
+    return h->shines ? h->m->Le : (vec3){0, 0, 0};
 }
 
 #endif

@@ -4,7 +4,8 @@
  *             \      \                at each xk: what it reflects towards the eye lands in the
  *             eye    eye              pixel where xk shows, if nothing is between
  *
- *   phi_0 = Le A pi / P(lamp)         x0 uniform on the lamp's area A, its direction as the cosine
+ *   phi_0 = Le A pi / P(lamp)         x0 uniform on the lamp's area A, its direction as the cosine;
+ *                                     where both sides shine: twice that, and one of them by chance
  *   pixel += phi f cos_x / (r^2 cos_e^3 a)                                                  (26.8)
  *   phi   *= f cos / pdf / q          as beta in path.h and by its code, but for (26.10): glass
  *                                     squeezes radiance, no power
@@ -72,10 +73,12 @@ static inline path_walk light_begin(const light_tracer *t, path_random *s, real 
     size_t k = lit_lights_choose(&t->paths.light, u.u, &chance, &u.u);
     const emitter *e = &t->paths.light.emitter[k];
     vec3 x = emitter_at(e, u, &n);
+    if (e->both && random_next(&s->own) < (real)0.5) n = vneg(n);
     surface from = emitter_surface(e, x, n);
     path_walk w = path_begin(leave(from, directed(n, sample_cosine(v.u, v.v))));
     real most = real_max(real_max(e->Le.x, e->Le.y), e->Le.z);
     w.beta = vscale(e->Le, 1 / most), *power = most * e->area * pi / chance;
+    if (e->both) *power *= 2;
     light_show(t, &from, vscale(w.beta, *power / pi), to);
     return w;
 }

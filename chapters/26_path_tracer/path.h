@@ -320,7 +320,7 @@ fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, p
 {
     lit_hit x;
     bool met = path_meets(t, w, &x);
-    if (!met || (x.front && x.emitter != lit_dark)) {
+    if (!met || x.shines) {
         vec3 L = vmul(w->beta, met ? path_found(t, w, &x) : path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
     }

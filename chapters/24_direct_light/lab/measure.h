@@ -65,7 +65,7 @@ static inline double variance_seen(const emitter *e, direct_way way, uint32_t n,
     direct_work work = {0, 0, 0};
     direct d = {&s, way, &l, &work, false};
     vec3 up = {0, 0, 1};
-    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &matte, lit_dark, 1, true};
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &matte, lit_dark, 1, true, false};
     estimate x = {0};
     for (uint32_t k = 0; k < n; k++) {
         sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);

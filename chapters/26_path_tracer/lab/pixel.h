@@ -82,7 +82,7 @@ cold_inline bool pixel_vertex(const path_tracer *t, path_walk *w, path_random *s
     explain_vector(2, "(26.2)", "beta =", w->beta);
     if (t->glass && w->medium)
         w->beta = vmul(w->beta, absorbed(w->medium->sigma, x.t * vlength(w->r.d)));
-    if (x.front && x.emitter != lit_dark) {
+    if (x.shines) {
         vec3 found = vmul(w->beta, path_found(t, w, &x));
         w->L = vadd(w->L, found);
         explain_vector(2, "(26.5)", "it is a lamp; its light adds", found);
