@@ -258,6 +258,17 @@ static double depth_gap(bool usual, double z)
     return z / 0.01 * (double)(nextafterf(x, 2) - x);
 }
 
+/* The least gap that the raster tells at z, as a share of z, by halving. */
+static double gap_told(double z)
+{
+    double lost = 0, told = 0.01;
+    for (int k = 0; k < 40; k++) {
+        double middle = (lost + told) / 2;
+        *(seen_before((real)z, (real)(z * middle)) == 64 ? &told : &lost) = middle;
+    }
+    return told;
+}
+
 /* A whole step of (8.5) is told, and two roundings in real beside it; a 16th of one only where the
  * end of a step happens to lie between, one in 16, or in 8 where steps are half as long. As was
  * usual, 1 - near / z: from 1e3 on walls a hundred such steps apart are the same number. */
@@ -276,7 +287,9 @@ static void test_depths(void)
     check_at_most((double)told, 0.2 * (double)n, "and a 16th of a step: told");
     check_at_least((double)same, 0.9 * (double)n, "1 - near / z: a hundred steps are one number");
     check_close(depth_gap(true, 1e3), 0.006, 1e-4, "at 1e5 near: a gap of 0.6 %% of z");
-    check_at_most(depth_gap(false, 1e3), 1.2e-7, "near / z: an epsilon of float at any distance");
+    for (double far = 0.1; far < 2e4; far *= 10)
+        check_at_most(gap_told(far), 1.2e-7 + 16 * (double)real_epsilon,
+                      "walls at %g: told from an epsilon of float on", far);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
