@@ -122,6 +122,8 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     html_first(c->to, "p", verdict);
     if (book && !c->o->full) summary_few(m, c->to);
     if (own->report || own->mesh[1] || (book && c->o->full)) summary_print(m, c->to);
+    html_element(c->to, "p class=\"note\"",
+                 "A dash: not built there. The first versions hold triangles only.");
     chart_show(m, c->to);
     if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);
