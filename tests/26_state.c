@@ -117,6 +117,27 @@ static void test_half_a_pass(void)
     image_free(&im), film_free(&m);
 }
 
+/* Two samples of one channel: what a tally cuts, or loses digits of, is told. */
+static void test_doubt(void)
+{
+    static const struct { double sample; const char *says; } list[] = {
+        {0, "black"}, {1e-30, "black"}, {2e-13, "black"}, {3e-13, NULL}, {1, NULL}, {1.7e13, NULL},
+        {1.8e13, "1.8e+13"}, {1e30, "1.8e+13"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        film m = film_new(1, 1);
+        film_pixel p = {0};
+        failure f;
+        for (uint32_t i = 0; i < 2; i++)
+            film_pixel_add(&p, i, (vec3){0, (real)list[k].sample, 0});
+        film_gather(&m, 0, &p);
+        check(film_cover(&m, 0, 2, &f), "2");
+        const char *says = long_run_doubt(&m);
+        check(list[k].says ? says && strstr(says, list[k].says) : !says, "%g: %s", list[k].sample,
+              says ? says : "nothing");
+        film_free(&m);
+    }
+}
+
 /* 100 samples a second, and a tenth of a second left: ten more, not as many as there are. */
 static void test_next(void)
 {
@@ -350,6 +371,7 @@ static void test_program(void)
          "24x18 pixels, not"},
         {2, small "--range 5:3 --out @p.pfm", NULL}, {2, "--scene nowhere --out @p.pfm", NULL},
         {0, small "--error 0.5 --out @p.pfm", NULL},
+        {0, "@w.obj --size 24x18 --samples 2 --out @p.pfm", "warning: samples brighter than"},
         {2, small "--samples 900000 --resume @part.state --csv @part.state",
          "this run has read it"},  /* before any work */
         {0, "--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out @p.pfm", NULL},
@@ -365,6 +387,8 @@ static void test_program(void)
         {"all.pfm", "more.pfm"}, {"all.state", "m.state"}, {"all.pfm", "m.pfm"},
         {"y.pfm", "z.pfm"}};
     write_fin("y.obj", false), write_fin("z.obj", true);
+    put("w.mtl", "newmtl lamp\nKe 1e30 0 0\n");
+    put("w.obj", "mtllib w.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         check_equal(go(list[k].arguments), list[k].status, "%s", list[k].arguments);
         if (list[k].says)
@@ -536,6 +560,7 @@ int main(void)
     test_ranges();
     test_windows();
     test_half_a_pass();
+    test_doubt();
     test_next();
     test_stopped();
     test_parts();

@@ -7,6 +7,7 @@
  *   passes_goal g = long_run_goal(&l, samples);   samples: 0: no end but by error, time, Ctrl-C
  *   ... passes_until: saves after each pass, and shows the picture if o.preview ...
  *   long_run_end(&l, &o, &f, "name.png", whole)   state and picture
+ *   const char *why = long_run_doubt(&f)          what sums cannot hold (tally.h), or NULL
  *
  * Same settings and the same number of samples: the same bytes, however often it was stopped.
  * What can't be read or written ends the program. --save may be the file of --resume, but no other
@@ -96,13 +97,27 @@ static inline passes_goal long_run_goal(long_run *l, uint32_t samples)
     return (passes_goal){samples, l->error, l->seconds, long_run_shown, l};
 }
 
+/* A half's sum of 2^44 may hold a sample that was cut to that; what is below 2^-62 is lost. */
+static inline const char *long_run_doubt(const film *f)
+{
+    double most = 0, n = (double)film_samples(f);
+    size_t pixels = (size_t)f->width * (size_t)f->height;
+    for (size_t k = 0; k < 6 * pixels; k++)
+        most = fmax(most, tally_sum(&f->half[0][k / 3].of[k % 3]));
+    return most >= 0x1p44 ? "samples brighter than 1.8e+13 are cut to that"
+           : most < n * 0x1p-43 ? "no pixel is brighter than 2.3e-13: it is black, or loses digits"
+                                : NULL;
+}
+
 /* In a terminal long_run_shown has shown the picture already, if all of it was done. */
 static inline void long_run_end(long_run *l, const options *o, const film *f, const char *name,
                                 bool whole)
 {
     options with = *o;
     with.preview = o->preview && !(l->lines > 0 && whole);
+    const char *doubt = whole ? long_run_doubt(f) : NULL;
     if (whole) long_run_save(l, f);
+    if (doubt) fprintf(stderr, "%s: warning: %s\n", program_name, doubt);
     image im = film_picture(f);
     output_picture(&with, &im, name, true, whole);
     image_free(&im);
