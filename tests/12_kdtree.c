@@ -222,12 +222,14 @@ static void test_clip_pays(void)
     kdtree with_clip = kdtree_made(&x, kdtree_defaults);
     kdtree without = kdtree_made(&x, with(KD_SAH, 0, false, KD_THICK));
     search_work a = {0, 0, 0, 0}, b = {0, 0, 0, 0};
-    for (size_t i = 0; i < check_count(5000); i++) {
+    size_t rays = check_count(5000);
+    for (size_t i = 0; i < rays; i++) {
         ray r = structure_across(51, i, 3, 1);
         hit h;
         kdtree_hit_counted(&with_clip, r, &h, &a), kdtree_hit_counted(&without, r, &h, &b);
     }
     check_at_most(2 * a.tests, b.tests, "needles: clipping saves more than half of the tests");
+    check_at_least(a.nodes + rays, a.leaves, "inner nodes that a ray meets, and 1: its leaves");
     kdtree_free(&with_clip), kdtree_free(&without);
     mesh_free(&m);
 }
@@ -272,6 +274,8 @@ static void test_round(void)
 
 static void test_limits(void)
 {
+    check_equal(kd_default_depth(1), 9, "8 + 1.3 log2(1 + 1)");
+    check_equal(kd_default_depth((1 << 20) - 1), 34, "8 + 1.3 * 20");
     mesh m = teapot_mesh(4);
     items x = items_of_mesh(&m);
     kdtree_options how = kdtree_defaults;

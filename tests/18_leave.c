@@ -162,6 +162,9 @@ static void test_owed(void)
         double owed = eps * (2 * (1 + (double)a) + 4.5);
         double margin = (double)surface_margin((vec3){a, 0, 0}, 1, 1);
         check_at_least(margin, owed, "margin, |a| = %g", (double)a);
+        real tiny = (real)0x1p-10;
+        check_equal((double)surface_margin((vec3){a * tiny, 0, 0}, tiny, 1), margin,
+                    "a weight: the same for all of it in another size");
     }
     /* between: the test's 3 eps D for a corner, as much for t d */
     surface to = {{1000, 0, 0}, {-1, 0, 0}, {-1, 0, 0}, 0, 0, 1}, at = {.n = {1, 0, 0}};

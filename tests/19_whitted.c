@@ -635,9 +635,14 @@ static void test_called_for(void)
     whitted_material paint = whitted_paint(0.5, 0.5, 0.5), half = whitted_mirror(0.5);
     whitted_material glass = whitted_clear(1, 1), shut = glass;
     shut.through = (vec3){0, 0, 0};
+    whitted_material red = half, green = half, blue = half;
+    red.mirror = vec(0.5, 0, 0), green.mirror = vec(0, 0.5, 0), blue.mirror = vec(0, 0, 0.5);
     const called_for list[] = {
         {"opaque, and no mirror", paint, 1, 0, 8, false, 0, 0, 0},
         {"a mirror: one each, away from it", half, 1, 0, 8, false, 10, 0, 0},
+        {"a red one", red, 1, 0.4, 8, false, 10, 0, 0},
+        {"a green one", green, 1, 0.4, 8, false, 10, 0, 0},
+        {"a blue one", blue, 1, 0.4, 8, false, 10, 0, 0},
         {"depth 1: eye rays alone", half, 1, 0, 1, false, 0, 0, 0},
         {"a weight of 0.5 is not more than 0.5: cut", half, 1, 0.5, 8, false, 0, 0, 0},
         {"glass, depth 2: both; a contact ray a hit", glass, 1.5, 0, 2, false, 10, 10, 20},

@@ -287,6 +287,9 @@ static void test_keys(void)
         check(p.u != q.u || p.v != q.v, "%s: another dimension", name);
         q = pair_of(k, 1, 2, 4, 16, 0);
         check(p.u != q.u || p.v != q.v, "%s: another sample", name);
+        for (uint32_t i = 0; i < 16 && k != SEQUENCE_RANDOM; i++)
+            check(sampler_start(k, 1, 2, i, 16).key != random_start(1, 2, i).key,
+                  "%s: what samples share are not the numbers of sample %d", name, (int)i);
         sampler_keys of;
         sampler_keys_of(k, 1, 2, &of);
         sampler once = sampler_of_keys(&of, 3, 16), each = sampler_start(k, 1, 2, 3, 16);

@@ -283,6 +283,15 @@ static void test_rectangle_shares(void)
     real h = real_is_float ? (real)0.5 : (real)0x1p-9;
     check_rectangle_shares((rectangle){{1, 1, 1}, {0, h, 0}, {h, 0, 0}}, 64 * eps / (double)h,
                            "small");
+    /* Seen at a flat angle, all at y > 0: two terms of (22.25) would cancel. */
+    rectangle low = {{(real)0x1p-7, 1, (real)0x1p-7}, {1, 0, 0}, {0, 1, 0}};
+    spherical_rectangle s = spherical_rectangle_of(low, seen_from);
+    for (int i = 1; i < 32; i++) {
+        vec3 q = spherical_rectangle_sample_urena(&s, (real)i / 32, 0);
+        rectangle below = {low.o, vscale(low.s, q.x), low.t};
+        check_close((double)(fabs(rectangle_solid_angle(below, seen_from)) / s.omega), i / 32.,
+                    64 * eps, "aside, low: up to xu %d / 32 of Omega", i);
+    }
     /* p one tiny step above an edge, a corner: squares of it vanish */
     real tiny = real_is_float ? (real)0x1p-90 : (real)0x1p-600;
     for (int i = 0; i < 2; i++) {
