@@ -443,6 +443,26 @@ static void test_copies(void)
     nested_free(&x), mesh_free(&m);
 }
 
+/* All in one place, and flat: what grid_fit expects of a few cells holds of those it chooses. Of
+ * all cells it would expect too much, as such a triangle is in half of them: one would be left. */
+static void test_pile(void)
+{
+    const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    size_t n = 30000;
+    mesh m = mesh_room(n);
+    grid g;
+    hit h = {0};
+    failure f = {0, ""};
+    for (size_t i = 0; i < n; i++) set_triangle(&m, i, corner[0], corner[1], corner[2]);
+    items x = items_of_mesh(&m);
+    check(grid_build(&x, grid_defaults, &g, &f), "a pile: %s", f.text);
+    double each = (double)grid_stats(&g).references / (double)n;
+    check_at_least(each, 8, "cells of a triangle of a pile");
+    check_at_most(each, 64, "cells of a triangle of a pile");
+    check(grid_hit(&g, ray_from(vec(0.2, 0.3, 1), vec(0, 0, -1)), &h) && h.shape == 0, "is hit");
+    grid_free(&g), mesh_free(&m);
+}
+
 int main(void)
 {
     structure s = {"grid", STRUCTURE_OF(grid)};
@@ -465,5 +485,5 @@ int main(void)
     return check_all("10_grid", test_drift, test_walk_keeps_its_promise, test_early_is_wrong,
                      test_specks, test_lists, test_resolution, test_limits, test_bytes,
                      test_too_many, test_sizes, test_far_rays_are_cheap, test_far_rays_are_right,
-                     test_mailbox_and_marking, test_copies, test_panels_stop);
+                     test_mailbox_and_marking, test_copies, test_panels_stop, test_pile);
 }

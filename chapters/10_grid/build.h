@@ -107,20 +107,27 @@ static inline double grid_sample(const grid *g, grid_options how)
     return asked ? (double)l.references / (double)asked : 0;
 }
 
-/* Items that lie on top of each other touch many cells each: then cells are taken larger, so that
- * lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). */
-static inline double grid_density(const grid *g, grid_options how)
-{
-    double each = grid_sample(g, how), n = (double)g->entered;
-    return each * n > structure_room(g->entered) + 0x1p24 ? how.density * pow(64 / each, 1.5)
-                                                          : how.density;
-}
-
 static inline void grid_cut(grid *g, double density)
 {
     int n[3];
     grid_resolution(g->box, density * (double)g->entered, g->margin, n);
     g->cells = lattice_of(g->box, n);
+}
+
+/* Items that lie on top of each other touch many cells each: then cells are taken larger, so that
+ * lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). A few
+ * cells are tried first, then more: to count those of a pile in all would take longer than to
+ * build. */
+static inline void grid_fit(grid *g, grid_options how)
+{
+    double each, n = (double)g->entered, room = structure_room(g->entered) + 0x1p24;
+    for (double part = 0x1p-12; part <= 1; part *= 16) {
+        grid_cut(g, how.density * part);
+        each = grid_sample(g, how);
+        if (each * n <= room) continue;
+        grid_cut(g, how.density * part * pow(64 / each, 1.5));
+        break;
+    }
 }
 
 static inline bool grid_build(const items *x, grid_options how, grid *out, failure *f)
@@ -131,9 +138,7 @@ static inline bool grid_build(const items *x, grid_options how, grid *out, failu
         return failed(f, 2, "density %g: allowed are 1e-6 to 1e6 cells an item", how.density);
     if (!grid_bounds(x, out, f)) return false;
     for (size_t i = 0; i < x->n; i++) out->entered += items_bounds(x, i, &b);
-    grid_cut(out, how.density);
-    double fit = grid_density(out, how);
-    if (fit < how.density) grid_cut(out, fit);
+    grid_fit(out, how);
     if (grid_mark(out, how, f)) return true;
     grid_free(out);
     return false;
