@@ -444,6 +444,36 @@ static void test_owed(void)
     check_equal(outside, 0, "half the box, in all digits");
 }
 
+/* Of the plane x = v in a box 1 x 2 across: half the area of each part times what reaches in. */
+static double swept_cost(const axis_sweep *s, double a, double b, double v)
+{
+    size_t before = 0, behind = 0;
+    for (size_t i = 0; i < s->n; i++) before += s->lo[0][i] < v, behind += s->hi[0][i] > v;
+    return (2 + 3 * (v - a)) * (double)before + (2 + 3 * (b - v)) * (double)behind;
+}
+
+/* All places, whole numbers, are tried: the sweep has found one of the cheapest. */
+static void test_sweep(void)
+{
+    size_t dearer = 0, found = 0;
+    for (size_t k = 0; k < 500; k++) {
+        random_stream g = random_start(19, k, 0);
+        axis_sweep s = {.n = 1 + k % 4};
+        for (size_t i = 0; i < s.n; i++) {
+            s.lo[0][i] = (real)(1 + random_below(&g, 11));
+            s.hi[0][i] = s.lo[0][i] + (real)random_below(&g, 5);
+        }
+        sort_reals(s.lo[0], s.n), sort_reals(s.hi[0], s.n);
+        double least = INFINITY;
+        real at = 0;
+        for (int v = 1; v < 16; v++) least = fmin(least, swept_cost(&s, 0, 16, v));
+        if (!sweep_axis(&s, 0, vec(0, 0, 0), vec(16, 1, 2), &at)) continue;
+        found++, dearer += swept_cost(&s, 0, 16, (double)at) > least;
+    }
+    check_equal(dearer, 0, "places dearer than the cheapest");
+    check_equal(found, 500, "places found");
+}
+
 int main(void)
 {
     structure_ends(bsp, bsp_defaults, check_count(2000));
@@ -451,5 +481,5 @@ int main(void)
     structure_piled(bsp, bsp_defaults, 3000, 1.05 * structure_room(3000));
     return check_all("13_bsp", test_wall_goes_to_the_smaller_part, test_sides, test_clip, test_owed,
                      test_cells, test_refused, test_limits, test_copies, test_same_tree, test_tiles,
-                     test_fewest, test_slanted_wall, test_naive, test_deep, test_rules);
+                     test_fewest, test_slanted_wall, test_naive, test_deep, test_rules, test_sweep);
 }

@@ -455,7 +455,7 @@ static void test_moved(void)
 {
     random_stream s = random_start(6, 0, 0);
     double off = 0, eps = (double)real_epsilon;
-    size_t other = 0, met = 0;
+    size_t other = 0, met = 0, still = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         sphere b = {vscale(random_unit(&s), 3), random_between(&s, 0.2, 1)}, there = b;
         real fast = random_between(&s, 0, 4);
@@ -480,12 +480,13 @@ static void test_moved(void)
             surface a = motion_surface(x.s, by), c = surface_of_shape(&moved, ray_from(o, d), h);
             off = check_worse(off, fabs((double)(x.t - h.t)) + (double)vlength(vsub(a.n, c.n))
                                    + (double)vlength(vsub(a.p, c.p)));
-            met++;
+            still += motion_surface(x.s, vec(0, 0, 0)).error == x.s.error, met++;
         }
         world_part_free(&f.part);
     }
     check_equal(other, 0, "met by one and missed by the other");
     check(met > 100, "many are met");
+    check_equal(still, met, "nothing is added, and rounded, where nothing moves");
     /* some 20 roundings of numbers up to 16, a point's error over the cosine at .9 and over r */
     check_at_most(off, 20 * 16 * 2.3 * 5 * eps, "time, point and normal");
 }
