@@ -64,6 +64,11 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
     light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 3, &three, &again);
     check(memcmp(one.rgb, three.rgb, 3 * side * side * sizeof *one.rgb) == 0,
           "the same bytes for any number of threads");
+    t.eye.d *= 2, t.eye.left *= 2, t.eye.right *= 2, t.eye.bottom *= 2, t.eye.top *= 2;
+    image_free(&three);
+    light_picture(&t, 200, n / 8 / light_jobs * light_jobs, 1, &three, &again);
+    check(memcmp(one.rgb, three.rgb, 3 * side * side * sizeof *one.rgb) == 0,
+          "the same bytes with the image plane twice as far away, and as large");
     image_free(&one), image_free(&three);
     check_equal(work.paths, sets * n, "paths");
     check(work.shadow <= work.camera + work.bounce + work.paths,
