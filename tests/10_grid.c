@@ -445,10 +445,9 @@ static void test_copies(void)
 
 /* All in one place, and flat: what grid_fit expects of a few cells holds of those it chooses. Of
  * all cells it would expect too much, as such a triangle is in half of them: one would be left. */
-static void test_pile(void)
+static void test_pile(size_t n)
 {
     const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    size_t n = 30000;
     mesh m = mesh_room(n);
     grid g;
     hit h = {0};
@@ -462,6 +461,8 @@ static void test_pile(void)
     check(grid_hit(&g, ray_from(vec(0.2, 0.3, 1), vec(0, 0, -1)), &h) && h.shape == 0, "is hit");
     grid_free(&g), mesh_free(&m);
 }
+
+static void test_piles(void) { test_pile(1000), test_pile(30000); }
 
 int main(void)
 {
@@ -485,5 +486,5 @@ int main(void)
     return check_all("10_grid", test_drift, test_walk_keeps_its_promise, test_early_is_wrong,
                      test_specks, test_lists, test_resolution, test_limits, test_bytes,
                      test_too_many, test_sizes, test_far_rays_are_cheap, test_far_rays_are_right,
-                     test_mailbox_and_marking, test_copies, test_panels_stop, test_pile);
+                     test_mailbox_and_marking, test_copies, test_panels_stop, test_piles);
 }

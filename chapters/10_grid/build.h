@@ -114,13 +114,14 @@ static inline void grid_cut(grid *g, double density)
     g->cells = lattice_of(g->box, n);
 }
 
-/* Items that lie on top of each other touch many cells each: then cells are taken larger, so that
- * lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). A few
+/* Items that lie on top of each other touch many cells each, a thousand and more: then cells are
+ * taken larger, so that lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). A few
  * cells are tried first, then more: to count those of a pile in all would take longer than to
  * build. */
 static inline void grid_fit(grid *g, grid_options how)
 {
-    double each, n = (double)g->entered, room = structure_room(g->entered) + 0x1p24;
+    double each, n = (double)g->entered, most = 1024 * n < 0x1p24 ? 1024 * n : 0x1p24;
+    double room = structure_room(g->entered) + most;
     for (double part = 0x1p-12; part <= 1; part *= 16) {
         grid_cut(g, how.density * part);
         each = grid_sample(g, how);
