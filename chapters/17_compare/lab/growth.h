@@ -2,7 +2,7 @@
  *
  *   growth_run(&c)         a table, fitted exponents, a plot; false: a wrong hit
  *
- * Who took more than 0.7 seconds to build the size before, or for a ray a hundred times as long as
+ * Who took more than 2 seconds to build the size before, or for a ray a hundred times as long as
  * the fastest, is left out of the larger ones; with BENCH_ONCE, 0.03 seconds. The quickest to
  * build, which finds where rays begin, stays.
  *
@@ -36,7 +36,7 @@ static inline int growth_points(const measured_scenes *m, int k, double x[growth
 /* Who is too slow for more than the size s; and who did not fit. */
 static inline void growth_leave(const comparison *s, line_up *now)
 {
-    double patience = getenv("BENCH_ONCE") ? 0.03 : 0.7, least = HUGE_VAL, quick = HUGE_VAL;
+    double patience = getenv("BENCH_ONCE") ? 0.03 : 2, least = HUGE_VAL, quick = HUGE_VAL;
     for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
         if (e->fits) least = fmin(least, cost_mean(s, e));
         if (entry_counts(e)) quick = fmin(quick, e->build);
