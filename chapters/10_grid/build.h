@@ -115,9 +115,9 @@ static inline void grid_cut(grid *g, double density)
 }
 
 /* Items that lie on top of each other touch many cells each, a thousand and more: then cells are
- * taken larger, so that lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). A few
- * cells are tried first, then more: to count those of a pile in all would take longer than to
- * build. */
+ * taken larger, so that lists hold some 64 an item (references grow with the area of the items, as
+ * cells^(2/3)). A few cells are tried first, then more: to count those of a pile in all would take
+ * longer than to build. */
 static inline void grid_fit(grid *g, grid_options how)
 {
     double each, n = (double)g->entered, most = 1024 * n < 0x1p24 ? 1024 * n : 0x1p24;
