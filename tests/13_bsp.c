@@ -448,7 +448,8 @@ static void test_owed(void)
 static double swept_cost(const axis_sweep *s, double a, double b, double v)
 {
     size_t before = 0, behind = 0;
-    for (size_t i = 0; i < s->n; i++) before += s->lo[0][i] < v, behind += s->hi[0][i] > v;
+    const real x = (real)v;  /* whole: the same */
+    for (size_t i = 0; i < s->n; i++) before += s->lo[0][i] < x, behind += s->hi[0][i] > x;
     return (2 + 3 * (v - a)) * (double)before + (2 + 3 * (b - v)) * (double)behind;
 }
 
