@@ -71,8 +71,8 @@ typedef struct {
     bvh_options options;
     splitter split;
     /* For builders of several threads (15): */
-    bool apart;      /* children of a cut before item p are nodes 2 p and 2 p + 1, not the next */
-    size_t aside;    /* sets of so many items or fewer are not built, but become jobs */
+    size_t aside;    /* sets of so many items or fewer are not built, but become jobs; and children
+                      * of a cut before item p are nodes 2 p and 2 p + 1. 0: the next ones */
     tree_job *job;
     size_t jobs;
 } tree_builder;
@@ -103,7 +103,7 @@ static inline void tree_node(tree_builder *b, tree_job j)
     split_measure(&b->split, b->item + j.begin, j.n);
     t->node[j.at] = box_numbered(&b->split.box, j.begin, j.n);
     size_t left = tree_split(b, b->item + j.begin, j.n, j.depth), middle = j.begin + left;
-    size_t first = b->apart ? 2 * middle : t->nodes;
+    size_t first = b->aside ? 2 * middle : t->nodes;
     if (left == 0) return;
     t->node[j.at] = box_numbered(&b->split.box, first, 0);
     t->nodes += 2;
