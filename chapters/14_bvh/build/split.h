@@ -256,8 +256,8 @@ static inline void split_measure(splitter *s, const bvh_item *item, size_t n)
     bvh_box box = box_empty(), centres = box;
     s->ways = s->depth < s->by_size ? 4 : 3;
     for (size_t i = 0; i < n; i++) {
-        bvh_box centre;
-        for (int k = 0; k < 8; k++) centre.side[k] = item[i].side[k] - item[i].side[k ^ 4];
+        const eight own = item[i].all;
+        const bvh_box centre = {.all = own - eight_halves_swapped(&own)};
         box_add(&box, &item[i]), box_add(&centres, &centre);
     }
     centres.side[3] = centres.side[7] = INFINITY;
