@@ -9,18 +9,16 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../09_aabb/trials/survey.h"
-#include "../../14_bvh/bvh_mesh.h"
 #include "flattened.h"
 #include "forest.h"
 
 typedef struct {
     const char *name;
     instances_boxes boxes;
-    bool flat, unit, binary;     /* binary: the meshes in trees of 14 */
+    bool flat, unit;
     instances x;                 /* or, flattened: */
     mesh m;
     bvh8 b;
-    bvh_mesh two[plant_kinds];
     double megabytes;            /* without normals */
     ray_set eye;                 /* to be timed with */
     double entered, tests;       /* of these: instances looked into and triangles tested a ray */
@@ -38,55 +36,21 @@ static inline void method_build(instances_method *m, const crowd *c)
     if (m->flat ? !bvh8_build(&flat, bvh8_defaults, &m->b, &f)
                 : !instances_build(c, how, &m->x, &f)) fail(f);
     size_t bytes = mesh_bytes(&m->m) + m->b.room.bytes + m->x.bytes;
-    for (size_t k = 0; k < m->x.meshes; k++) {
-        bytes += mesh_bytes(&c->mesh[k]);
-        if (!m->binary) continue;
-        if (!bvh_mesh_build(&c->mesh[k], bvh_defaults, &m->two[k], &f)) fail(f);
-        bytes += m->two[k].tree.held.bytes - m->x.lower[k].room.bytes;
-    }
+    for (size_t k = 0; k < m->x.meshes; k++) bytes += mesh_bytes(&c->mesh[k]);
     m->megabytes = (double)bytes * 0x1p-20;
 }
 
 static inline void method_free(instances_method *m)
 {
     instances_free(&m->x), bvh8_free(&m->b), mesh_free(&m->m);
-    for (size_t k = 0; k < plant_kinds; k++) bvh_mesh_free(&m->two[k]);
-}
-
-/* instances_leaf, but for the trees of the meshes. */
-typedef struct { instances_context c; const bvh_mesh *lower; } binary_context;
-
-fast_inline bool binary_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                             bool any)
-{
-    const binary_context *b = context;
-    bool found = false;
-    (void)any;
-    for (const placed *p = b->c.x->place + first, *end = p + count; p < end; p++) {
-        ray r;
-        hit h;
-        if (!instance_ray(&p->to_object, q->r, &r)
-            || !bvh_mesh_search(&b->lower[p->mesh], r, false, &h, b->c.lower)) continue;
-        uint32_t k = h.shape;
-        h.shape = p->index;
-        if (query_improves(q, h)) *b->c.triangle = k, found = true;
-    }
-    return found;
 }
 
 /* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
 fast_inline bool method_hit(const instances_method *m, ray r, instance_hit *out,
                             instances_work *work)
 {
-    search_work *lower = work ? &work->lower : NULL, *upper = work ? &work->upper : NULL;
-    const binary_context b = {{&m->x, &out->h.shape, lower, false}, m->two};
-    hit h;
-    if (m->flat) return bvh8_ask(&m->b, r, bvh8_skip_none, &out->h, lower);
-    if (!m->binary) return instances_walk(&m->x, r, false, m->unit, out, work);
-    if (!tree_search(&m->x.tree, r, instances_box_ray, binary_leaf, &b, false, &h, upper))
-        return false;
-    *out = (instance_hit){{h.t, h.u, h.v, out->h.shape}, h.shape};
-    return true;
+    if (m->flat) return bvh8_ask(&m->b, r, bvh8_skip_none, &out->h, work ? &work->lower : NULL);
+    return instances_walk(&m->x, r, false, m->unit, out, work);
 }
 
 static inline double method_search(void *context)
@@ -155,10 +119,9 @@ static inline ray_set eye_rays(const options *o)
 
 static inline void table_of_methods(const options *o)
 {
-    enum { n = 6 };
+    enum { n = 5 };
     instances_method m[n] = {
         {"flattened, one tree", .flat = true}, {"boxes of points", .boxes = INSTANCES_POINTS},
-        {"meshes as in 14", .boxes = INSTANCES_POINTS, .binary = true},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
     double ns[n];

@@ -18,11 +18,9 @@ cold_inline void draw_forest(const options *o, bool naive)
     forest w;
     instances x;
     failure f;
-    double start = clock_seconds();
     forest_plant(&w, o->quick ? 300 : 9000, o->seed);
     crowd c = forest_crowd(&w);
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
-    double built = clock_seconds();
     image im = image_new(o->width, o->height);
     camera eye = forest_camera((real)o->width / (real)o->height);
     int samples = o->quick || naive ? 1 : 2;
@@ -30,11 +28,8 @@ cold_inline void draw_forest(const options *o, bool naive)
     bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
     size_t bytes = x.bytes;
     for (size_t k = 0; k < c.meshes; k++) bytes += mesh_bytes(&c.mesh[k]);
-    if (!naive)
-        printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
-               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", x.n, x.meshes,
-               flattened_triangles(&x), (double)bytes * 0x1p-20, built - start, o->width,
-               o->height, samples * samples, clock_seconds() - built);
+    if (!naive) printf("# %zu instances, %.4g triangles, in %.3g MB\n", x.n,
+                       flattened_triangles(&x), (double)bytes * 0x1p-20);
     output_picture(o, &im, naive ? "16_instances_unit.png" : "16_instances.png", !naive, whole);
     instances_free(&x), forest_free(&w), image_free(&im);
 }
