@@ -2,7 +2,7 @@
  * where it makes acne, and that leave.h does neither. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/19_whitted/lab/first_world.h"
+#include "19_first_world.h"
 
 static const double ulp = (double)real_epsilon;
 static const vec3 sky = {(real)0.25, (real)0.4, (real)0.7}, ambient = {(real)0.1, (real)0.2, 1};

@@ -3,7 +3,7 @@
  * touches glass make of it. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/19_whitted/lab/first_world.h"
+#include "19_first_world.h"
 
 static const double ulp = (double)real_epsilon;
 

@@ -234,8 +234,24 @@ static void test_squeeze(void)
     stage_end(&p);
 }
 
-/* A teapot of chrome with the normals of a smooth one. Reflected about the shading normal many
- * grazing rays lead below the surface, where they meet its back at once: black rims. */
+/* Place i of a teapot with the normals of a smooth one, and a way past it, less than 3 degrees
+ * above (side 1) or below (-1) the plane at right angles to n or, if `shading`, ns. False: a place
+ * without a normal. */
+static bool smoothed_place(const mesh *pot, random_stream *q, size_t i, bool shading, real side,
+                           whitted_place *p, vec3 *past)
+{
+    hit h = {1, random_next(q) / 2, random_next(q) / 2, (uint32_t)(i * 7919 % pot->triangles)};
+    p->s = surface_of_mesh(pot, h);
+    vec3 n = shading ? p->s.ns : p->s.n, u, v;
+    if (vzero(p->s.n)) return false;
+    vbasis(n, &u, &v);
+    real turn = 2 * pi * random_next(q), tilt = random_next(q) / 20;
+    *past = vunit(vmadd(vadd(vscale(u, cos(turn)), vscale(v, sin(turn))), n, side * tilt));
+    return true;
+}
+
+/* The teapot of chrome. Reflected about the shading normal many grazing rays lead below the
+ * surface, where they meet its back at once: black rims. */
 static void test_smoothed(void)
 {
     mesh pot = teapot_mesh(24);
@@ -247,15 +263,10 @@ static void test_smoothed(void)
     const whitted w = {.depth = 4, .media = &air};
     for (size_t i = 0; i < n; i++) {
         random_stream q = random_start(13, i, 0);
-        hit h = {1, random_next(&q) / 2, random_next(&q) / 2, (uint32_t)(i * 7919 % pot.triangles)};
-        whitted_place p = {.s = surface_of_mesh(&pot, h), .m = &chrome, .left = {1, 1, 1}};
-        vec3 u, v;
-        if (vzero(p.s.n)) continue;
-        vbasis(p.s.n, &u, &v);
-        real turn = 2 * pi * random_next(&q), down = random_next(&q) / 20;  /* under 3 degrees */
-        vec3 along = vadd(vscale(u, cos(turn)), vscale(v, sin(turn)));
-        vec3 d = vunit(vmadd(along, p.s.n, -down));
-        if (!(vdot(d, p.s.ns) < 0)) continue;
+        whitted_place p = {.m = &chrome, .left = {1, 1, 1}};
+        vec3 d;
+        hit h;
+        if (!smoothed_place(&pot, &q, i, false, -1, &p, &d) || !(vdot(d, p.s.ns) < 0)) continue;
         whitted_branch b = whitted_eye(ray_from(vsub(p.s.p, d), d), (media_set){0}), child[2];
         grazing++, below += vdot(reflect(d, p.s.ns), p.s.n) < 0;
         wrong += whitted_children(&w, &b, &p, child) != 1 || !(vdot(child[0].r.d, p.s.n) > 0);
@@ -277,14 +288,10 @@ static void test_smoothed_glass(void)
     const whitted w = {.depth = 4, .media = media};
     for (size_t i = 0; i < n; i++) {
         random_stream q = random_start(14, i, 0);
-        hit h = {1, random_next(&q) / 2, random_next(&q) / 2, (uint32_t)(i * 7919 % pot.triangles)};
-        whitted_place p = {.s = surface_of_mesh(&pot, h), .m = &glass, .left = {1, 1, 1}};
-        vec3 u, v;
+        whitted_place p = {.m = &glass, .left = {1, 1, 1}};
+        vec3 away;
         snell x;
-        if (vzero(p.s.n)) continue;
-        vbasis(p.s.ns, &u, &v);
-        real turn = 2 * pi * random_next(&q), up = random_next(&q) / 20;  /* under 3 degrees */
-        vec3 away = vunit(vmadd(vadd(vscale(u, cos(turn)), vscale(v, sin(turn))), p.s.ns, up));
+        if (!smoothed_place(&pot, &q, i, true, 1, &p, &away)) continue;
         if (!snell_of(vneg(away), p.s.ns, 1, (real)1.5, &x)) continue;
         vec3 d = vneg(snell_refract(&x, vneg(away), p.s.ns)), outwards = p.s.n;
         p.s.n = vneg(p.s.n), p.s.ns = vneg(p.s.ns), p.inside = 1;  /* the ray is in the glass */

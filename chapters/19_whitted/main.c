@@ -2,13 +2,13 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
  * Without options: the two spheres of 1980, drawings, the tree of one pixel, a table of error
- * against time. --full: a tank, four depths; first.h. --protocol spd: rays counted as in published
- * results. --samples N is rounded down to a square. */
+ * against time. --full: a tank, too. --protocol spd: rays counted as in published results.
+ * --samples N is rounded down to a square. */
 #include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
-#include "lab/pixel.h"
 #include "lab/povray.h"
+#include "lab/ray_tree.h"
 #include "lab/spd_protocol.h"
 
 int main(int argc, char **argv)
@@ -50,6 +50,5 @@ int main(int argc, char **argv)
     draw_wavefronts(&o);
     draw_critical(&o);
     table_of_depths(&o);
-    if (o.full) table_of_first(&o);
     return output_done(&o);
 }

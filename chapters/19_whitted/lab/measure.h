@@ -1,14 +1,11 @@
-/* measure.h: the tables.
+/* measure.h: the table.
  *
  *   table_of_depths(&o)     error against time over depth and over the cut, and its plot
- *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
 #ifndef WHITTED_LAB_MEASURE_H
 #define WHITTED_LAB_MEASURE_H
 
-#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "first_world.h"
 #include "../scenes/forty.h"
 #include "pictures.h"
 
@@ -65,47 +62,6 @@ static inline void table_of_depths(const options *o)
     output_table(o, &t);
     output_plot(o, &p, "19_whitted_time.svg");
     image_free(&im), image_free(&deep), stage_end(f), free(f);
-}
-
-typedef struct { image im; const first_scene *s; const first_world *x; } first_picture;
-
-/* One ray a pixel, depth 8; x NULL: by first.h. */
-static inline double first_picture_draw(void *context)
-{
-    first_picture *p = context;
-    first_camera c = first_two_balls_camera(p->im.width, p->im.height);
-    for (int i = 0; i < p->im.width * p->im.height; i++) {
-        int x = i % p->im.width, y = i / p->im.width;
-        ray r = first_ray_unit(first_pixel_ray(c, x, y, 0, 1));
-        image_set(&p->im, x, y, p->x ? first_world_ray(p->x, r) : first_whitted(p->s, r, 8));
-    }
-    return (double)p->im.rgb[0];
-}
-
-/* Five things: a tree has nothing to gain, and `first` is no slower for asking them all. */
-static inline void table_of_first(const options *o)
-{
-    first_scene s = first_two_balls();
-    first_world *x = first_world_new(&s, 8);
-    int w = o->quick ? 64 : 480, h = w * 5 / 8;
-    first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
-    double ns[2];
-    bench_each(first_picture_draw, p, sizeof *p, 2, o->quick ? 1 : 5, 1e9 / ((double)w * h), ns);
-    table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
-                        "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
-    for (int k = 0; k < 2; k++) {
-        image_difference d = image_compare(&p[k].im, &p[1].im);
-        size_t off = 0;
-        for (int i = 0; i < w * h; i++) {
-            vec3 a = image_get(&p[k].im, i % w, i / w), b = image_get(&p[1].im, i % w, i / w);
-            vec3 by = vsub(a, b);
-            off += fabs(vaxis(by, vlongest(by))) > (real)1e-6;
-        }
-        table_text(&t, k ? "whitted" : "first"), table_count(&t, off);
-        table_number(&t, d.rmse), table_number(&t, d.maximum), table_number(&t, ns[k]);
-    }
-    output_extra_table(o, &t);
-    image_free(&p[0].im), image_free(&p[1].im), first_world_free(x);
 }
 
 #endif

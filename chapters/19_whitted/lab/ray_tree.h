@@ -1,28 +1,30 @@
-/* ray_tree.h: the tree of rays (光线树) of one eye ray: noted while it is traced, and drawn.
+/* ray_tree.h: the tree of rays (光线树) of one eye ray: noted while it is traced, drawn, and said in
+ * a line or two for each ray, with the numbers of their equations.
  *
  *   ray_tree *x = allocate(1, sizeof *x);
- *   w.log = ray_tree_begin(x)               from now on w's rays are noted; x->full: more than 4096
+ *   w.log = ray_tree_begin(x)               from now on w's rays are noted, up to 4096 of them
  *   whitted_ray(&tracer, r, in)
  *   ray_tree_draw(x, path)                  an SVG, NULL: none; depth downwards; width and number
  *                                           of a line: the largest component of its weight
  *
- *   camera 1 ---.                           from  number of the ray before it, -1: the eye
- *     reflection 2                          t     where it ended; infinity: in the sky
- *     refraction 2                          lit   of a shadow ray: part of the light that arrives
+ *   whitted_explain(&o, "345,140")          of the two spheres: that pixel's middle, columns and
+ *                                           rows from 0; drawn to build/19_whitted_pixel.svg
+ *   whitted_explain(&o, NULL)               nothing said; this page's drawing, 19_whitted_tree.svg
  */
 #ifndef WHITTED_LAB_RAY_TREE_H
 #define WHITTED_LAB_RAY_TREE_H
 
+#include "../../../common/lab/explain.h"
 #include "../../../common/lab/figure.h"
-#include "../whitted.h"
+#include "two_spheres.h"
 
 enum { ray_tree_most = 4096 };
 
 typedef struct {
     ray_kind kind;
-    int from, depth;       /* number of the ray before it, -1: the eye */
+    int from, depth;       /* the ray before it, -1: the eye; a shadow ray is one deeper */
     ray r;
-    real t, lit;           /* infinity: in the sky; of a shadow ray: arrives */
+    real t, lit;           /* infinity: in the sky; of a shadow ray: share that arrives */
     vec3 weight;
 } ray_tree_node;
 
@@ -30,7 +32,6 @@ typedef struct {
     whitted_log log;       /* first: what is told of each ray */
     ray_tree_node node[ray_tree_most];
     int n;
-    bool full;
 } ray_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -39,17 +40,14 @@ static inline int ray_tree_add(whitted_log *log, ray_kind kind, int from, int de
                                vec3 weight, real lit)
 {
     ray_tree *x = (ray_tree *)log;
-    if (x->n == ray_tree_most) {
-        x->full = true;
-        return ray_tree_most - 1;
-    }
-    x->node[x->n] = (ray_tree_node){kind, from, depth, r, t, lit, weight};
+    if (x->n == ray_tree_most) return ray_tree_most - 1;
+    x->node[x->n] = (ray_tree_node){kind, from, depth + (kind == RAY_SHADOW), r, t, lit, weight};
     return x->n++;
 }
 
 static inline whitted_log *ray_tree_begin(ray_tree *x)
 {
-    x->log.add = ray_tree_add, x->n = 0, x->full = false;
+    x->log.add = ray_tree_add, x->n = 0;
     return &x->log;
 }
 
@@ -65,11 +63,6 @@ static inline double ray_tree_place(const ray_tree *x, int k, double next, doubl
     if (first >= 0) at[k] = (first + last) / 2;
     else at[k] = next, next += 1;
     return next;
-}
-
-static inline int ray_tree_level(const ray_tree_node *n)
-{
-    return n->kind == RAY_SHADOW ? n->depth + 1 : n->depth;
 }
 
 static const char *const ray_tree_colour[ray_kinds] = {
@@ -99,10 +92,11 @@ static inline void ray_tree_draw(const ray_tree *x, const char *path)
         {"shadow ray (yellow: lit)", FIGURE_ORANGE}, {"blue end: sky", "#3a86c8"}};
     double *at = allocate((size_t)x->n, sizeof *at), width = ray_tree_place(x, 0, 0, at);
     double step = width < 2 ? 300 : 860 / width;
-    int deep = 0, depth = 0;  /* shadow rays have none: they may lie one lower */
+    int deep = 0, depth = 0;  /* with shadow rays, and without */
     for (int i = 0; i < x->n; i++) {
-        if (ray_tree_level(&x->node[i]) > deep) deep = ray_tree_level(&x->node[i]);
-        if (x->node[i].depth > depth) depth = x->node[i].depth;
+        int d = x->node[i].depth;
+        if (d > deep) deep = d;
+        if (d > depth && x->node[i].kind != RAY_SHADOW) depth = d;
     }
     figure g = figure_at(path, 960, 70 * deep + 110);
     figure_origin(&g, 0, 0, 1);
@@ -111,7 +105,7 @@ static inline void ray_tree_draw(const ray_tree *x, const char *path)
     for (int i = x->n; i-- > 0; ) {
         const ray_tree_node *n = &x->node[i];
         double x1 = 70 + step * at[i], x0 = n->from < 0 ? x1 : 70 + step * at[n->from];
-        ray_tree_draw_ray(&g, n, x0, x1, -50 - 70 * ray_tree_level(n));
+        ray_tree_draw_ray(&g, n, x0, x1, -50 - 70 * n->depth);
     }
     figure_text(&g, 8, -85, 0, 0, FIGURE_LEFT, FIGURE_GREY, "depth");
     for (int d = 1; d <= depth; d++)
@@ -121,6 +115,52 @@ static inline void ray_tree_draw(const ray_tree *x, const char *path)
                     key[k].colour, key[k].what);
     figure_end(&g);
     free(at);
+}
+
+/* What comes of a ray stands below it, further to the right. */
+static inline void pixel_say(const ray_tree *x)
+{
+    static const char *const law[ray_kinds] = {
+        [RAY_CAMERA] = "(2.5)", [RAY_REFLECTION] = "(19.1)", [RAY_REFRACTION] = "(19.4)"};
+    for (const ray_tree_node *n = x->node; n < x->node + x->n; n++) {
+        int deep = 2 * (n->depth - 1);
+        if (n->kind == RAY_SHADOW) {
+            explain_line(deep, "(1.5)", "shadow ray: %.4g of the light arrives", (double)n->lit);
+            continue;
+        }
+        explain_line(deep, law[n->kind], "%s ray, depth %d, along (%.6g, %.6g, %.6g)",
+                     ray_kind_names[n->kind], n->depth, (double)n->r.d.x, (double)n->r.d.y,
+                     (double)n->r.d.z);
+        explain_line(deep + 2, "(19.10)", "in the pixel it weighs %.6g", 
+                     (double)vlargest(n->weight));
+        if (n->t < real_infinity)
+            explain_vector(deep + 2, "(1.2)", "it hits at p =", ray_at(n->r, n->t));
+        else explain_line(deep + 2, "", "it ends in the sky");
+    }
+}
+
+cold_inline void whitted_explain(const options *o, const char *text)
+{
+    int xy[2] = {345, 140}, w = text ? o->width : 640, h = text ? o->height : 480;
+    char room[512];
+    if (text) explain_pixel(text, w, h, xy);
+    whitted_stage *s = two_spheres_new();
+    ray_tree *x = allocate(1, sizeof *x);
+    tracer t = stage_tracer(s);
+    ray r = camera_ray(two_spheres_camera((real)w / (real)h), (real)xy[0] + (real)0.5,
+                       (real)xy[1] + (real)0.5, w, h);
+    s->w.log = ray_tree_begin(x);
+    vec3 L = whitted_ray(&t, r, (media_set){0});
+    if (text) {
+        printf("# The rays of pixel %d, %d of %d x %d: two spheres\n", xy[0], xy[1], w, h);
+        explain_vector(0, "(2.5)", "o =", r.o);
+        pixel_say(x);
+        explain_vector(0, "(19.10)", "together they bring L =", L);
+        printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);
+    }
+    ray_tree_draw(x, text ? output_path(o, "19_whitted_pixel.svg", true, room)
+                          : output_path(o, "19_whitted_tree.svg", false, room));
+    free(x), stage_end(s), free(s);
 }
 
 #endif

@@ -10,10 +10,7 @@
  *
  * Glass lies behind the faces whose normal the ray meets: from there the index is 1 / ior, and no
  * more is remembered (media.h would ask for bodies; these scenes have none). Shadow rays end at the
- * first hit, of glass, too.
- *
- * Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and
- * the documentation of its programs.
+ * first hit, of glass, too. Sources: spd.h.
  */
 #ifndef WHITTED_LAB_SPD_PROTOCOL_H
 #define WHITTED_LAB_SPD_PROTOCOL_H
@@ -95,13 +92,12 @@ static inline bool spd_count_scene(const world *w, int edge, int threads, trace_
 
 static inline void spd_print(const char *name, int scale, const trace_counts *n)
 {
-    size_t reflected = n->rays[RAY_REFLECTION], refracted = n->rays[RAY_REFRACTION];
-    for (int k = RAY_CAMERA; k <= RAY_SHADOW; k++)
-        printf("%s %s %d: rays %zu, hits %zu\n", k == RAY_CAMERA ? "primary" : "shadow", name,
-               scale, n->rays[k], n->hits[k]);
+    const size_t *rays = n->rays, *hits = n->hits;
+    printf("primary %s %d: rays %zu, hits %zu\n", name, scale, rays[RAY_CAMERA], hits[RAY_CAMERA]);
+    printf("shadow %s %d: rays %zu, hits %zu\n", name, scale, rays[RAY_SHADOW], hits[RAY_SHADOW]);
     printf("secondary %s %d: reflected %zu, refracted %zu, rays %zu, hits %zu\n", name, scale,
-           reflected, refracted, reflected + refracted,
-           n->hits[RAY_REFLECTION] + n->hits[RAY_REFRACTION]);
+           rays[RAY_REFLECTION], rays[RAY_REFRACTION], rays[RAY_REFLECTION] + rays[RAY_REFRACTION],
+           hits[RAY_REFLECTION] + hits[RAY_REFRACTION]);
 }
 
 /* name NULL: all of them with published results; scale < 0: the usual. */

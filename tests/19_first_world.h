@@ -1,15 +1,16 @@
-/* first_world.h: a scene of first.h as whitted.h has it: what the first version is held against.
+/* 19_first_world.h: a scene of 19's first.h as whitted.h has it: what the first version is held
+ * against.
  *
  *   first_world *x = first_world_new(&s, depth);      s must outlive it; first_world_free(x)
  *   vec3 L = first_world_ray(x, r)                    what first_whitted(&s, r, depth) should say
  *
  * Each glass ball is a body of its own, around everything is air; shadow rays end at glass, too.
  */
-#ifndef WHITTED_LAB_FIRST_WORLD_H
-#define WHITTED_LAB_FIRST_WORLD_H
+#ifndef FIRST_WORLD_19_H
+#define FIRST_WORLD_19_H
 
-#include "../first.h"
-#include "../scenes/whitted_stage.h"
+#include "../chapters/19_whitted/first.h"
+#include "../chapters/19_whitted/scenes/whitted_stage.h"
 
 typedef struct { whitted_stage on; const first_scene *s; } first_world;
 
