@@ -1,10 +1,9 @@
 /* Tests of 22_radiometry: each relation measured and compared with its closed form by a t-test, the
- * wrong ones refuted; photons on floors; pixels counted; four ways of sampling; photometry. Fixed
- * seeds; each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
+ * wrong ones refuted; photons on floors; pixels counted; four ways of sampling. Fixed seeds;
+ * each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
 #include "../common/lab/chi_square.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/pictures.h"
-#include "../chapters/22_radiometry/lab/photometry.h"
 #include "../common/file.h"
 #include "check.h"
 
@@ -162,28 +161,8 @@ static void test_ways(void)
                     0.1, "variance by cosine, in closed form");
 }
 
-/* ---- watts and lumens ---- */
-
-static void test_photometry(void)
-{
-    /* CIE's values halfway between those of the table */
-    static const double half[][2] = {{505, 0.4073}, {515, 0.6082}, {525, 0.7932}, {535, 0.9149},
-                                     {545, 0.9803}, {555, 1.0000}, {565, 0.9786}, {575, 0.9154},
-                                     {585, 0.8163}, {595, 0.6949}, {605, 0.5668}, {615, 0.4412},
-                                     {625, 0.3210}, {635, 0.2170}, {645, 0.1382}, {655, 0.0816}};
-    double sum = 0;
-    for (int i = 0; i < 16; i++)
-        check_close(luminous_efficiency(half[i][0]), half[i][1], 0.003, "V(%g nm)", half[i][0]);
-    for (int nm = efficiency_first; nm <= efficiency_last; nm++) sum += luminous_efficiency(nm);
-    check_close(lumens_per_watt * luminous_efficiency(650), 73, 0.2, "lumens of a watt of 650 nm");
-    check_close(sum, 106.857, 0.02, "area of V: CIE's sum");
-    check_equal(luminous_efficiency(379), 0, "ultraviolet");
-    check_equal(luminous_efficiency(781), 0, "infrared");
-    check_equal(luminous_efficiency((double)NAN), 0, "NaN");
-}
-
 int main(void)
 {
     return check_all("22_radiometry", test_relations, test_closed, test_floors, test_view,
-                     test_ways, test_photometry);
+                     test_ways);
 }

@@ -115,16 +115,21 @@ static inline wide wide_volume(wide_corners k)
     return wide3_dot(k.a, wide3_cross(wide3_sub(k.b, k.a), wide3_sub(k.c, k.a)));
 }
 
-/* (22.12) with 32 digits; only the arc tangent is a double's. */
-static inline real wide_solid_angle(wide_corners k)
+/* The denominator of (22.12). */
+static inline wide wide_denominator(wide_corners k)
 {
     wide la = wide3_length(k.a), lb = wide3_length(k.b), lc = wide3_length(k.c);
     wide d = wide_mul(wide_mul(la, lb), lc);
     d = wide_add(d, wide_mul(wide3_dot(k.a, k.b), lc));
     d = wide_add(d, wide_mul(wide3_dot(k.b, k.c), la));
-    d = wide_add(d, wide_mul(wide3_dot(k.c, k.a), lb));
-    double n = wide_value(wide_volume(k));
-    return (real)(2 * atan2(n == 0 ? 0 : n, wide_value(d)));  /* no -0: inside it is +2 pi */
+    return wide_add(d, wide_mul(wide3_dot(k.c, k.a), lb));
+}
+
+/* (22.12) with 32 digits; only the arc tangent is a double's. */
+static inline real wide_solid_angle(wide_corners k)
+{
+    double n = wide_value(wide_volume(k)), d = wide_value(wide_denominator(k));
+    return (real)(2 * atan2(n == 0 ? 0 : n, d));  /* no -0: inside it is +2 pi */
 }
 
 static inline wide_corners corners_of_triangle(triangle t, vec3 p, int *e)

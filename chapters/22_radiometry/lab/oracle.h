@@ -59,12 +59,7 @@ static inline double triangle_solid_angle_exact(triangle t, vec3 p)
 {
     int e;
     wide_corners k = corners_of_triangle(t, p, &e);
-    wide n = wide_volume(k);
-    wide la = wide3_length(k.a), lb = wide3_length(k.b), lc = wide3_length(k.c);
-    wide d = wide_mul(wide_mul(la, lb), lc);
-    d = wide_add(d, wide_mul(wide3_dot(k.a, k.b), lc));
-    d = wide_add(d, wide_mul(wide3_dot(k.b, k.c), la));
-    d = wide_add(d, wide_mul(wide3_dot(k.c, k.a), lb));
+    wide n = wide_volume(k), d = wide_denominator(k);
     double half = wide_value(wide_atan2(wide_sign(n) < 0 ? wide_neg(n) : n, d));
     return wide_sign(n) < 0 ? -2 * half : 2 * half;
 }

@@ -23,13 +23,14 @@ typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { floor_gap = 6, floor_rows = 2, floor_parts = 8 };
+enum { floor_gap = 6, floor_rows = 2, floor_parts = 8, floor_panels = floor_rows * floor_lights };
 typedef struct {
-    int width, height;
     uint64_t seed;
     size_t photons;       /* of each light; each part of them counts for itself */
     uint32_t count[floor_lights][floor_parts][floor_cells * floor_cells];
 } radiometry_floors;
+typedef struct { const radiometry_floors *all; floor_light light; bool counted; int width, height; }
+    floor_panel;
 
 /* By the logarithm: black at this and below, white at pi, 10 doublings above. */
 #define floor_black ((double)pi / 1024)
@@ -46,13 +47,8 @@ static inline void photon_job(size_t i, void *context)
 }
 
 /* Under the ball there is no floor, and on black there are no lines. */
-static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, int row, real x,
-                                real y, real px)
+static inline vec3 floor_colour(floor_light light, real x, real y, real px)
 {
-    double counted = 0;
-    for (int k = 0; k < floor_parts && row; k++)
-        counted += f->count[light][k][floor_cell(y) * floor_cells + floor_cell(x)];
-    if (row) return floor_heat(counted / floor_expected(light, 1, (double)f->photons));
     vec3 p = {x, y, 0};
     if (light == FLOOR_SPHERE && vlength(vsub(p, buried.c)) < buried.r) return floor_heat(0);
     double e = (double)floor_exact(light, x, y), level = floor(log2(e));
@@ -63,36 +59,42 @@ static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, i
 
 static inline vec3 floor_place(const void *context, real x, real y)
 {
-    const radiometry_floors *f = context;
-    int w = (f->width + floor_gap) / floor_lights, h = (f->height + floor_gap) / floor_rows;
-    int light = (int)x / w, row = (int)y / h, sw = w - floor_gap, sh = h - floor_gap;
-    int side = sw < sh ? sw : sh;  /* square, in the middle */
-    real i = x - (real)(light * w + (sw - side) / 2), j = y - (real)(row * h + (sh - side) / 2);
-    if (light >= floor_lights || row >= floor_rows || i < 0 || j < 0 || i >= (real)side
-        || j >= (real)side) return (vec3){1, 1, 1};
-    real px = 2 * floor_half / (real)side;
-    return floor_colour(f, (floor_light)light, row, i * px - floor_half, floor_half - j * px, px);
+    const floor_panel *f = context;
+    int side = f->width < f->height ? f->width : f->height;  /* square, in the middle */
+    real i = x - (real)((f->width - side) / 2), j = y - (real)((f->height - side) / 2);
+    if (i < 0 || j < 0 || i >= (real)side || j >= (real)side) return (vec3){1, 1, 1};
+    real px = 2 * floor_half / (real)side, u = i * px - floor_half, v = floor_half - j * px;
+    if (!f->counted) return floor_colour(f->light, u, v, px);
+    double counted = 0;
+    for (int k = 0; k < floor_parts; k++)
+        counted += f->all->count[f->light][k][floor_cell(v) * floor_cells + floor_cell(u)];
+    return floor_heat(counted / floor_expected(f->light, 1, (double)f->all->photons));
 }
 
 cold_inline void draw_floor(const options *o)
 {
-    image im = image_new(o->width, o->height);
-    radiometry_floors *f = allocate(1, sizeof *f);
-    f->width = o->width, f->height = o->height, f->seed = o->seed;
-    f->photons = o->quick ? 100000 : 3000000;
-    bool whole = parallel_for(floor_lights * floor_parts, o->threads, "photons", photon_job, f)
-              && pixels_draw(&im, 1, o->threads, "floor", floor_place, f);
-    static const char *const title[floor_rows * floor_lights] = {
+    static const char *const title[floor_panels] = {
         "ball: closed form", "square: closed form", "spotlight: closed form",
         "photons counted", "photons counted", "photons counted"};
-    if (o->width >= 600 && o->height >= 300) {  /* narrower, titles would run together */
-        enum { strip = 46 };                    /* below: a bar of the colours */
-        label_titles(&im, floor_lights, floor_rows, floor_gap, title), label_below(&im, strip);
-        label_bar(&im, im.width / 4, im.height - strip + 8, im.width / 2, 9, work_colour,
-                  floor_black, (double)pi,
-                  "irradiance [W/m^2], twice as much at each white line");
+    bool words = o->width >= 600 && o->height >= 300, drawn;  /* narrower, titles run together */
+    int gap = words ? floor_gap : 0, bar = 46;                /* rows of the bar of the colours */
+    panels_shape g = {o->width, o->height, floor_lights, floor_rows, gap, 1, !words};
+    radiometry_floors *f = allocate(1, sizeof *f);
+    floor_panel one[floor_panels];
+    panel p[floor_panels];
+    for (int k = 0; k < floor_panels; k++) {
+        one[k] = (floor_panel){f, (floor_light)(k % floor_lights), k >= floor_lights,
+                               panels_wide(g), panels_high(g)};
+        p[k] = (panel){title[k], &one[k]};
     }
-    output_picture(o, &im, "22_radiometry.png", true, whole);
+    f->seed = o->seed, f->photons = o->quick ? 100000 : 3000000;
+    bool whole = parallel_for(floor_lights * floor_parts, o->threads, "photons", photon_job, f);
+    image im = panels_new(o, g, floor_place, p, &drawn);
+    if (words) label_below(&im, bar);
+    if (words)
+        label_bar(&im, im.width / 4, im.height - bar + 8, im.width / 2, 9, work_colour, floor_black,
+                  (double)pi, "irradiance [W/m^2], twice as much at each white line");
+    output_picture(o, &im, "22_radiometry.png", true, whole && drawn);
     image_free(&im), free(f);
 }
 
