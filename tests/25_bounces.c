@@ -156,8 +156,6 @@ static void test_furnace_uniform(void)
                         "(N^(d+1) - 1) / (N - 1) rays, N = %d", N);
             lit_free(&s);
         }
-    check_equal(first_rays_of_branching(1, 9), 10, "N = 1");
-    check_equal(first_rays_of_branching(2, 9), 1023, "N = 2");
     check_equal(first_rays_of_branching(8, 5), 37449, "N = 8");
     check_close(furnace_variance(1, 0.75, 1), 0.1875, 1e-15, "V_1 = rho^2 / 3");
 }
@@ -404,33 +402,6 @@ static void test_notes(void)
     lit_free(&s);
 }
 
-/* The table asks the lamp for what shade() counts, and tells apart what it does not: by both ways
- * the same means. Their light differs by less noise than E would bring. */
-static void test_notes_terms(void)
-{
-    lit_scene s;
-    estimate off = {0, 0, 0}, all = {0, 0, 0};
-    naive_counts n = {{0}, 0, 0};
-    bounce_counts b = {.direct = {0, 0, 0}};
-    lit_cornell(&s);
-    naive_path p = {&s, DIRECTIONS_BRDF, 20, false};
-    for (uint32_t i = 0; i < check_count(400000); i++) {
-        sampler a = sampler_start(SEQUENCE_RANDOM, 21, 0, i, 1), c, d;
-        point2 u = sampler_pair(&a);
-        ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
-        double sum[2] = {0, 0};
-        c = d = a;
-        notes_terms(&p, eye, &a, sum, &b);
-        lit_hit x;
-        double E = lit_trace(&s, eye, &x) ? (double)lit_emitted(&x).y : 0;
-        off = estimate_add(off, (double)notes_shade(&p, eye, &c, &n).y - sum[0]);
-        all = estimate_add(all, (double)naive_radiance(&p, eye, &d, &n).y - E - sum[0] - sum[1]);
-    }
-    check_at_least(t_test(off, 0, 300 * eps), alarm, "shade(): off by %g", off.mean);
-    check_at_least(t_test(all, 0, 300 * eps), alarm, "all of it: off by %g", all.mean);
-    lit_free(&s);
-}
-
 /* ---- only what is called for ---- */
 
 /* A box of pure red walls and a pure green lamp, a white lamp that reflects nothing, a black
@@ -589,6 +560,6 @@ int main(void)
 {
     return check_all("25_bounces", test_furnace_exact, test_endless, test_furnace_uniform,
                      test_pair, test_edges, test_terms_add_up, test_direct_closed_form,
-                     test_terms_lit, test_notes, test_notes_terms, test_called_for, test_counts,
+                     test_terms_lit, test_notes, test_called_for, test_counts,
                      test_shading_normals, test_eye_length);
 }

@@ -2,7 +2,6 @@
  *
  *   measure_series(o)    partial sums by paths against (25.5), their variance against (25.12); plot
  *   measure_cornell(o)   how much light each bounce brings to the picture
- *   measure_notes(o)     what shade() of the notes leaves out
  *
  * E is known: the part of the picture that the lamp fills. The other terms ask the lamp (25.10).
  */
@@ -11,7 +10,6 @@
 
 #include "../../24_direct_light/scenes/lit_cornell.h"
 #include "measure_branches.h"
-#include "notes_shade.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -122,34 +120,6 @@ static inline void measure_cornell(const options *o)
     }
     output_extra_table(o, &t);
     lit_free(&c->s), free(c);
-}
-
-static inline void measure_notes(const options *o)
-{
-    static const char *const name[] = {"whole", "as printed", "with what the eye sees",
-                                       "still missing"};
-    table t = table_new("shade() as the notes print it: mean radiance of the Cornell box",
-                        "what is counted|radiance|-+");
-    estimate e[4] = {{0, 0, 0}};
-    double seen = cornell_emitted();
-    lit_scene s;
-    lit_cornell(&s);
-    naive_path p = {&s, DIRECTIONS_BRDF, 20, false};
-    bounce_counts c = {.direct = {0, 0, 0}};
-    for (uint32_t i = 0; i < (o->quick ? 1000u : 200000u); i++) {
-        sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
-        point2 u = sampler_pair(&a);
-        double sum[2] = {0, 0};
-        notes_terms(&p, camera_ray(cornell_camera(1), u.u, u.v, 1, 1), &a, sum, &c);
-        double x[4] = {seen + sum[0] + sum[1], sum[0], seen + sum[0], sum[1]};
-        for (int k = 0; k < 4; k++) e[k] = estimate_add(e[k], x[k]);
-    }
-    for (int k = 0; k < 4; k++) {
-        table_text(&t, "%s", name[k]), table_number(&t, e[k].mean);
-        table_number(&t, estimate_error(e[k]));
-    }
-    output_extra_table(o, &t);
-    lit_free(&s);
 }
 
 #endif

@@ -10,7 +10,6 @@
  *       return Lo
  *
  *   vec3 L = notes_shade(&p, eye, &s, &counts);    p.depth mends the third
- *   notes_terms(&p, eye, &s, sum, &counts);       its mean with less noise, and the rest: a table
  *
  * Its expectation is K' E + K'^2 E + ..: E is missing, and K' is K without the rows of what shines,
  * but for the first hit. In a furnace, where all walls shine: rho E instead of E / (1 - rho).
@@ -18,7 +17,7 @@
 #ifndef BOUNCES_NOTES_SHADE_H
 #define BOUNCES_NOTES_SHADE_H
 
-#include "../terms.h"
+#include "../naive_path.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -35,26 +34,6 @@ static inline vec3 notes_shade(const naive_path *p, ray r, sampler *s, naive_cou
         if (!vzero(Le)) return vmul(through, Le);
     }
     return (vec3){0, 0, 0};
-}
-
-/* K E + K^2 E + .. of the eye's ray: sum[0] what notes_shade counts, on average; sum[1] what it
- * does not, light that a lamp reflects after the first hit. */
-static inline void notes_terms(const naive_path *p, ray r, sampler *s, double *sum,
-                               bounce_counts *c)
-{
-    lit_hit x;
-    bool met, lost = false;
-    vec3 through = {1, 1, 1}, weight, wo = vneg(vunit(r.d));
-    lit_lights lamps;
-    direct d = {p->scene, DIRECT_AREA, &lamps, &c->direct, false};
-    lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
-    (void)naive_find(p, r, 0, &x, &met, &c->walk);
-    for (int k = 1; met && k <= p->depth; k++, wo = vneg(r.d)) {
-        sum[lost] += (double)vmul(through, bounce_direct(&d, &x, wo, s)).y;
-        if (!naive_direction(p, &x, wo, sampler_pair(s), &r, &weight)) return;
-        through = naive_through(through, weight);
-        if (!vzero(naive_find(p, r, k, &x, &met, &c->walk))) lost = true;
-    }
 }
 
 #endif
