@@ -2,7 +2,6 @@
 #include "check.h"
 #include "../common/headlight.h"
 #include "02_oracle.h"
-#include "../chapters/02_camera/lab/naive.h"
 #include "../chapters/02_camera/lab/rtr_camera.h"
 #include "../common/random.h"
 
@@ -265,6 +264,13 @@ static void test_there_and_back(void)
     }
 }
 
+/* The ray as FCG introduces it, e + t (s - e): s lands on the lattice of the numbers near e, which
+ * may be coarser than the whole window. */
+static vec3 naive_direction(camera c, real x, real y)
+{
+    return vsub(vadd(c.e, camera_ray(c, x, y, 512, 512).d), c.e);
+}
+
 /* D against exact arithmetic, with the camera of the Cornell box (d = 0.035, window 0.025 wide).
  * The direct form: four roundings in u (of at most 1 in units of the window) and three in D,
  * wherever e is. s - e: s is rounded to epsilon/2 |e| a component. */
@@ -281,16 +287,15 @@ static void test_far_away(void)
             vec3 seen = camera_ray(c, x, y, 512, 512).d;
             direct = check_worse(direct, camera_error(c, seen, x, y, 512, 512));
             naive = check_worse(naive,
-                         camera_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
+                                camera_error(c, naive_direction(c, x, y), x, y, 512, 512));
         }
         check_at_most(direct, 8 * eps * 512, "camera_ray at |e| = %g: off by pixels", far);
         double expected = eps * far / (double)(2 * h) * 512;  /* one ulp of e, in pixels */
         if (eps * far < 0.01) {
-            check_at_least(naive, expected / 8, "camera_ray_naive must be seen to fail at |e| = %g",
-                           far);
+            check_at_least(naive, expected / 8, "s - e must be seen to fail at |e| = %g", far);
             check_at_most(naive, 2 * expected + 8 * eps * 512, "and by its own reason at |e| = %g",
                           far);
-        } else check(!(naive <= 8 * eps * 512), "camera_ray_naive fails outright at |e| = %g", far);
+        } else check(!(naive <= 8 * eps * 512), "s - e fails outright at |e| = %g", far);
     }
 }
 
@@ -328,6 +333,9 @@ static double half_tangent_exact(real phi)
         sum = wide_add(wide_mul(sum, square), wide_div(wide_of(top[i]), wide_of(bottom[i])));
     return wide_value(wide_div(wide_of(1), wide_mul(sum, delta)));
 }
+
+/* As texts print it. */
+static real half_tangent_naive(real phi) { return tan(phi * pi / 360); }
 
 static void test_half_tangent(void)
 {
@@ -371,10 +379,11 @@ static void test_rtr(void)
         check_close(vlength(a.d), 1, 4 * eps, "RTR's direction has length 1");
         check_close(vdot(vcross(q.r, q.u), q.v), -1, 16 * eps, "r, u, v are left-handed");
         /* the slip: what is printed is the mended picture upside down */
-        ray slip = rtr_camera_ray_printed(q, x, y, nx, ny);
+        rtr_camera slip = rtr_as_printed(q);
         ray mirror = rtr_camera_ray(q, x, ny - 1 - y, nx, ny);
-        check_at_most(angle(slip.d, mirror.d), bound, "printed row y is the mended row h - 1 - y");
-        check(vdot(rtr_camera_ray_printed(q, x, 0, nx, ny).d, q.u) < 0,
+        check_at_most(angle(rtr_camera_ray(slip, x, y, nx, ny).d, mirror.d), bound,
+                      "printed row y is the mended row h - 1 - y");
+        check(vdot(rtr_camera_ray(slip, x, 0, nx, ny).d, q.u) < 0,
               "printed: the first row looks down");
         check(vdot(rtr_camera_ray(q, x, 0, nx, ny).d, q.u) > 0, "mended: the first row looks up");
         check(vdot(rtr_camera_ray(q, nx - 1, y, nx, ny).d, q.r) > 0, "the last column looks right");

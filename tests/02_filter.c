@@ -1,7 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
 #include "../chapters/02_camera/lab/measure.h"
-#include "../chapters/02_camera/lab/naive.h"
 
 #define eps ((double)real_epsilon)
 static filter filters[3];
@@ -25,6 +24,21 @@ static double by_midpoints(double (*f)(double x, double a), double x, double a, 
         weight += w;
     }
     return sum / weight;
+}
+
+/* The integral of filter_weight over the plane: 1, radius^2, or about 2 pi sigma^2. */
+static real filter_volume(filter f)
+{
+    real side = f.kind == FILTER_BOX ? 2 * f.radius
+              : f.kind == FILTER_TENT ? f.radius
+              : f.sigma * sqrt(2 * pi) * erf(f.radius / (f.sigma * sqrt((real)2)));
+    return side * side;
+}
+
+/* Divides by what n weights sum to on average, n volume / (2 radius)^2, and not by their sum. */
+static vec3 filter_mean_naive(filter_sum sum, filter f, int n)
+{
+    return vscale(sum.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
 }
 
 static double cosine_wave(double x, double a) { return cos(a * x * x); }

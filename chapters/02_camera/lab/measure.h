@@ -19,8 +19,6 @@ enum { camera_side = 32, camera_pixels = camera_side * camera_side };
 
 typedef struct { camera_view v; const double *exact; } camera_trial;
 
-/* ---- pixels ---- */
-
 /* Root mean square error of camera_side^2 pixels. */
 static inline double camera_run_pixels(void *context)
 {
@@ -82,10 +80,10 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
             exact[j][i] = zone ? zone_plate_filtered(x, y, rings.knob, (double)k->f.sigma)
                                : checkerboard_filtered(x, y, cells.knob, k->f);
         }
-        m[j] = (camera_trial){{.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
+        m[j].v = (camera_view){.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
             .seed = 1, .own = zone ? &rings : &cells, .nx = camera_side, .ny = camera_side,
-            .see = see_pattern},
-            exact[j]};
+            .see = see_pattern};
+        m[j].exact = exact[j];
     }
 }
 
@@ -99,8 +97,7 @@ static inline void camera_plot_filters(const options *o)
         camera_trials(m, n);
         for (int j = 0; j < camera_boards; j++) plot_add(&p, j, n * n, camera_run_pixels(&m[j]));
     }
-    plot_slope(&p, -0.5, "slope -1/2");
-    plot_slope(&p, -0.75, "slope -3/4");
+    plot_slope(&p, -0.5, "slope -1/2"), plot_slope(&p, -0.75, "slope -3/4");
     output_plot(o, &p, "02_camera_checkerboard.svg");
 }
 

@@ -5,18 +5,16 @@
  *                  at distance R they are pi / (a R) apart, so a grid of pixels can show them up to
  *                  R = pi / (2 a), and nothing but grey should remain beyond
  *
- *   double checkerboard(double x, double y, double cell);
- *   double checkerboard_filtered(double x, double y, double cell, filter f);   box or tent
- *   double zone_plate(double x, double y, double a);
- *   double zone_plate_filtered(double x, double y, double a, double sigma);    Gaussian
+ *   checkerboard(x, y, cell)   checkerboard_filtered(x, y, cell, f)       f: box or tent
+ *   zone_plate(x, y, a)        zone_plate_filtered(x, y, a, sigma)       under a Gaussian
  *
  * (x, y) in pixels. A separable filter turns s(x) s(y) into the product of two integrals:
  * differences of the first antiderivative of s under the box, of the second under the tent. The
  * zone plate is the real part of exp(i a x^2) exp(i a y^2), and under a Gaussian without cut-off,
  * with g = 1 - 2 i a sigma^2,
  *   E exp(i a X^2) = g^(-1/2) exp(i a x^2 / g)                                 (2.12)
- * These are oracles: always in double, right to 1e-12 for |x|, |y| up to 1000, and the
- * zone plate itself, unfiltered, to an epsilon of its phase a (x^2 + y^2).
+ * These are oracles: always in double, right to 1e-12 for |x|, |y| up to 1000, but for the zone
+ * plate unfiltered: to an epsilon of its phase a (x^2 + y^2).
  */
 #ifndef CAMERA_LAB_PATTERN_H
 #define CAMERA_LAB_PATTERN_H

@@ -50,16 +50,14 @@ static inline vec3 room_colour(const camera_room *s, ray r)
     return vmul(squares % 2 ? first->check : first->colour, headlight(axes[axis], r.d));
 }
 
-static inline void room_add(camera_room *s, int k, camera_rectangle q) { s->r[k][s->n[k]++] = q; }
-
 /* Six faces, painted darker on the sides, so that edges show where the headlight shows none. */
 static inline void room_block(camera_room *s, vec3 low, vec3 high, vec3 colour, real cell)
 {
     static const real paint[] = {0.55, 0.8, 1};
     for (int k = 0; k < 3; k++) {
         vec3 a = vscale(colour, paint[k]), b = vscale(a, 0.8);
-        room_add(s, k, (camera_rectangle){vaxis(low, k), low, high, a, b, cell});
-        room_add(s, k, (camera_rectangle){vaxis(high, k), low, high, a, b, cell});
+        s->r[k][s->n[k]++] = (camera_rectangle){vaxis(low, k), low, high, a, b, cell};
+        s->r[k][s->n[k]++] = (camera_rectangle){vaxis(high, k), low, high, a, b, cell};
     }
 }
 

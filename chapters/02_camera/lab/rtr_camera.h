@@ -9,19 +9,14 @@
  * top row; the 0.5 leads to the pixel's centre. D has length 1, so t is a distance.
  *
  * The notes' translation of (26.2) has a plus in the second term: y grows downward and u points up,
- * so the first row of the picture looks down and the picture stands on its head.
- * rtr_camera_ray_printed keeps the plus; rtr_camera_ray has the minus. (The plus is right where y
- * counts upward; the sign of the original was not looked up.)
- *
- *   rtr_camera k;
- *   if (!rtr_look_at(c, target, up, phi_degrees, &k, &why)) fail(why);
- *   ray q = rtr_camera_ray(k, x, y, w, h);
+ * so the first row of the picture looks down and the picture stands on its head. (The plus is right
+ * where y counts upward; the sign of the original was not looked up.)
  *
  * Letters: this w is the picture's width, and this v points forward; in camera.h w points backward
  * and v up.
  *
- * Source: T. Akenine-Möller, E. Haines, N. Hoffman, A. Pesce, M. Iwanicki, S. Hillaire, "Real-Time
- * Rendering", 4th ed., 2018, online chapter 26, section 26.1, equation 26.2.
+ * Source: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, online chapter 26,
+ * section 26.1, equation 26.2.
  */
 #ifndef RTR_CAMERA_H
 #define RTR_CAMERA_H
@@ -36,7 +31,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The left-handed frame is the right-handed one with its third axis turned round. */
+/* The left-handed frame is the right-handed one with its third axis turned round. phi: degrees. */
 static inline bool rtr_look_at(vec3 c, vec3 target, vec3 up, real phi, rtr_camera *out,
                                failure *why)
 {
@@ -48,23 +43,20 @@ static inline bool rtr_look_at(vec3 c, vec3 target, vec3 up, real phi, rtr_camer
     return true;
 }
 
-/* s at any point (x, y) of the picture, without the 0.5; the sign of the second term is given. */
-static inline vec3 rtr_s(rtr_camera k, real x, real y, int w, int h, int sign)
+/* + f (..) u, as printed, is - f (..) (-u). */
+static inline rtr_camera rtr_as_printed(rtr_camera k) { return k.u = vneg(k.u), k; }
+
+/* s at any point (x, y) of the picture, without the 0.5. */
+static inline vec3 rtr_s(rtr_camera k, real x, real y, int w, int h)
 {
     real a = (real)w / (real)h;
-    real right = a * k.f * (2 * x / (real)w - 1);
-    real up = (real)sign * k.f * (2 * y / (real)h - 1);
+    real right = a * k.f * (2 * x / (real)w - 1), up = -k.f * (2 * y / (real)h - 1);
     return vadd(vmadd(vscale(k.r, right), k.u, up), k.v);
-}
-
-static inline ray rtr_camera_ray_printed(rtr_camera k, int x, int y, int w, int h)
-{
-    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, 1)));
 }
 
 static inline ray rtr_camera_ray(rtr_camera k, int x, int y, int w, int h)
 {
-    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, -1)));
+    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h)));
 }
 
 #endif
