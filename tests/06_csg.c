@@ -180,31 +180,6 @@ static void test_random_trees(void)
     check_at_least((double)y.spans, 0.3 * (double)(n * lines), "the test sees spans");
 }
 
-/* A random point is on a ray that begins there, at t = 0: is 0 in a span? */
-static void test_random_points(void)
-{
-    size_t wrong = 0, judged = 0, inside = 0, n = check_count(1000000), trees = 100;
-    for (size_t i = 0; i < trees; i++) {
-        random_stream s = random_start(3, i, 0);
-        csg_model m = random_model(&s, 2 + random_below(&s, 8), true);
-        csg c = built(m, false);
-        for (size_t k = 0; k < n / trees; k++) {
-            vec3 d = random_direction_of(&s);
-            ray r = ray_from(random_in_cube(&s, (real)1.5), d);
-            csg_crossing *x = NULL;
-            size_t spans = line_spans(&c, r, &x);
-            double least;
-            bool due = oracle_contains(m, wide3_of(r.o), &least);
-            if (least < 100 * eps) continue;
-            judged++, inside += due, wrong += list_holds(x, spans, 0) != due;
-        }
-        csg_free(&c), random_free(m);
-    }
-    check_equal(wrong, 0, "random points, of %zu, against the parts", judged);
-    check_at_least((double)inside, 0.05 * (double)n, "points inside are seen");
-    check_at_least((double)judged, 0.99 * (double)n, "nearly all are judged");
-}
-
 /* A step along the normal leads out of the whole, a step against it, into it. Gems have a test of
  * their own: the oracle cannot tell how near their next edge is. */
 static void test_normals(void)
@@ -291,13 +266,6 @@ static void test_algebra(void)
 
 /* ---- faces that coincide ---- */
 
-/* A box turned in space, with corners in its own frame. */
-static csg_solid turned_box(const vec3 n[3], real x0, real y0, real z0, real x1, real y1, real z1)
-{
-    const real lo[3] = {x0, y0, z0}, hi[3] = {x1, y1, z1};
-    return csg_box_turned(n, lo, hi);
-}
-
 static void random_axes(random_stream *s, bool straight, vec3 n[3])
 {
     n[0] = random_direction_of(s);
@@ -315,11 +283,11 @@ static void test_coincident_faces(void)
         random_stream s = random_start(6, i, 0);
         vec3 axis[3];
         random_axes(&s, i % 3 == 0, axis);
-        real a = (real)-0.7, b = random_next(&s) - (real)0.3, e = (real)0.8;
-        csg_solid left = turned_box(axis, a, a, a, b, e, e);
-        csg_solid right = turned_box(axis, b, a, a, e, e, e);
-        csg_solid both = turned_box(axis, a, a, a, e, e, e);
-        csg_solid part = turned_box(axis, a, -1, -1, b, 1, 1);  /* shares the plane a with both */
+        double a = -0.7, b = (double)random_next(&s) - 0.3, e = 0.8;
+        csg_solid left = csg_scene_block(axis, a, a, a, b, e, e);
+        csg_solid right = csg_scene_block(axis, b, a, a, e, e, e);
+        csg_solid both = csg_scene_block(axis, a, a, a, e, e, e);
+        csg_solid part = csg_scene_block(axis, a, -1, -1, b, 1, 1);  /* shares the plane a */
         const csg_solid abc[3] = {left, right, both}, acd[3] = {both, part, right};
         ray r = random_line(&s);
         csg_crossing x[2];
@@ -349,7 +317,7 @@ static void test_one_plane(void)
         real h = 2 * random_next(&s) - 1;
         csg_solid one = csg_half(axis[0], h), other = csg_half(vneg(axis[0]), -h);
         csg_solid four = csg_half(vscale(axis[0], 4), 4 * h);
-        csg_solid box = turned_box(axis, h, -9, -9, 9, 9, 9);
+        csg_solid box = csg_scene_block(axis, (double)h, -9, -9, 9, 9, 9);
         csg_crossing x[4][2];
         ray r = random_line(&s);
         if (vdot(r.d, axis[0]) == 0) continue;
@@ -871,26 +839,24 @@ static void test_interval(void)
 static void test_ways(void)
 {
     size_t n = check_count(2000) > 200 ? check_count(2000) : 200;  /* some are rare */
-    double wrong[csg_sights];
-    csg_sight s[csg_sights];
-    csg_tolerance = (real)0.003;
+    /* far away in float the planes are off by so much that the order is always one */
+    const struct { csg_way way; double least; const char *why; } in[csg_sights] = {
+        [CSG_OUTSIDE] = {{csg_hit_front, 0}, 0, "t > 0, seen from outside"},
+        [CSG_EYE_INSIDE] = {{csg_hit_front, 0}, 50, "t > 0, seen from inside"},
+        [CSG_COINCIDENT] = {{csg_hit_tolerant, -1}, 5, "no rule for equal t: speckle"},
+        [CSG_FAR_AWAY] = {{csg_hit_tolerant, 1e-9}, real_is_float ? 0 : 2,
+                          "a tolerance of 1e-9, far away: speckle"},
+        [CSG_MESH_FACES] = {{csg_hit_tolerant, -1}, 5, "meshes that know no planes: speckle"},
+        [CSG_FOILS] = {{csg_hit_tolerant, 0.003}, 50, "two foils of three are gone"}};
     for (int k = 0; k < csg_sights; k++) {
-        s[k] = csg_sight_of((csg_sight_kind)k, 1);
-        check_equal(csg_wrong(&s[k], csg_hit, false, n), 0, "csg_hit, sight %d", k);
-        check_equal(csg_wrong(&s[k], csg_hit, true, n), 0, "without bounds, sight %d", k);
-        wrong[k] = csg_wrong(&s[k], k <= CSG_EYE_INSIDE ? csg_hit_front : k == CSG_FOILS
-                             ? csg_hit_tolerant : csg_hit_points, true, n);
+        csg_sight s = csg_sight_of((csg_sight_kind)k, 1);
+        check_equal(csg_wrong(&s, (csg_way){csg_hit, 0}, false, n), 0, "csg_hit, sight %d", k);
+        check_equal(csg_wrong(&s, (csg_way){csg_hit, 0}, true, n), 0, "no bounds, sight %d", k);
+        double wrong = csg_wrong(&s, in[k].way, true, n);
+        check_at_least(wrong, in[k].least, "%s", in[k].why);
+        if (k == CSG_OUTSIDE) check_equal(wrong, 0, "%s", in[k].why);
+        csg_scene_free(&s.scene);
     }
-    check_equal(wrong[CSG_OUTSIDE], 0, "t > 0, seen from outside");
-    check_at_least(wrong[CSG_EYE_INSIDE], 50, "t > 0, seen from inside");
-    check_at_least(wrong[CSG_COINCIDENT], 5, "no rule for equal t: speckle");
-    check_at_least(wrong[CSG_MESH_FACES], 5, "meshes that know no planes: speckle");
-    check_at_least(wrong[CSG_FOILS], 50, "a tolerance of 0.003: two foils of three are gone");
-    csg_tolerance = (real)1e-9;
-    if (!real_is_float)  /* in float the planes are off by so much that the order is always one */
-        check_at_least(csg_wrong(&s[CSG_FAR_AWAY], csg_hit_tolerant, true, n), 2,
-                       "a tolerance of 1e-9, far away: speckle");
-    for (int k = 0; k < csg_sights; k++) csg_scene_free(&s[k].scene);
 }
 
 /* ---- strange input ---- */
@@ -1116,12 +1082,11 @@ static void test_hostile_texts(void)
 
 int main(void)
 {
-    return check_all("06_csg", test_merge, test_random_trees, test_random_points, test_normals,
-                     test_algebra, test_coincident_faces, test_one_plane, test_mesh_faces,
-                     test_along_faces, test_named_plane, test_shared_triangles, test_mesh_edges,
-                     test_mesh_kinds, test_bounds, test_bounds_spare, test_bounds_from_afar,
-                     test_bounds_of_planes, test_planes_climbed_to, test_flat_on_faces,
-                     test_interval, test_ways, test_strange_solids, test_strange_rays,
-                     test_refused_steps, test_depth, test_expressions, test_expression_means,
-                     test_hostile_texts);
+    return check_all("06_csg", test_merge, test_random_trees, test_normals, test_algebra,
+                     test_coincident_faces, test_one_plane, test_mesh_faces, test_along_faces,
+                     test_named_plane, test_shared_triangles, test_mesh_edges, test_mesh_kinds,
+                     test_bounds, test_bounds_spare, test_bounds_from_afar, test_bounds_of_planes,
+                     test_planes_climbed_to, test_flat_on_faces, test_interval, test_ways,
+                     test_strange_solids, test_strange_rays, test_refused_steps, test_depth,
+                     test_expressions, test_expression_means, test_hostile_texts);
 }

@@ -143,10 +143,9 @@ static inline hard_count solids(int k, real x)
 {
     enum { n = 4000 };
     csg_sight s = csg_sight_of((csg_sight_kind)k, hard_seed);
-    csg_tolerance = (real)0.003;
-    csg_hit_function *textbook = k == CSG_FOILS ? csg_hit_tolerant
-                                 : k >= CSG_COINCIDENT ? csg_hit_points : csg_hit_front;
-    double first = csg_wrong(&s, textbook, true, n), now = csg_wrong(&s, csg_hit, false, n);
+    csg_way textbook = {k >= CSG_COINCIDENT ? csg_hit_tolerant : csg_hit_front,
+                        k == CSG_FOILS ? 0.003 : -1}, ours = {csg_hit, 0};
+    double first = csg_wrong(&s, textbook, true, n), now = csg_wrong(&s, ours, false, n);
     (void)x;
     csg_scene_free(&s.scene);
     first = floor(first * n / 100 + 0.5), now = floor(now * n / 100 + 0.5);  /* were percent */

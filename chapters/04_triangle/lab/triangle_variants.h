@@ -23,8 +23,16 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (4.8), divided last: u and v are compared as numerators, with |det| instead of 1, in one branch.
- * And what people add to it: a margin round the triangle. */
+/* Inside, if t is in the interval; of det = 0 it is infinite or NaN. */
+fast_inline bool triangle_met(ray r, real t, real u, real v, hit *out)
+{
+    if (!ray_covers(r, t) || !isfinite(t)) return false;
+    *out = (hit){t, u, v, 0};
+    return true;
+}
+
+/* u and v are compared as numerators, with |det| instead of 1, in one branch. margin: of the
+ * weights. */
 fast_inline bool triangle_hit_patched(triangle tri, ray r, real margin, hit *out)
 {
     vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
@@ -32,10 +40,7 @@ fast_inline bool triangle_hit_patched(triangle tri, ray r, real margin, hit *out
     real det = vdot(s1, e1), size = fabs(det), sign = copysign((real)1, det);
     real u = sign * vdot(s1, s), v = sign * vdot(s2, r.d), w = size - u - v;
     if (!(real_min(real_min(u, v), w) >= -margin * size)) return false;
-    real t = vdot(s2, e2) / det;  /* det = 0: infinite or NaN */
-    if (!ray_covers(r, t) || !isfinite(t)) return false;
-    *out = (hit){t, u / size, v / size, 0};
-    return true;
+    return triangle_met(r, vdot(s2, e2) / det, u / size, v / size, out);
 }
 
 static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
@@ -45,12 +50,11 @@ static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
 
 static inline bool triangle_hit_tolerant(triangle tri, ray r, hit *out)
 {
-    const real margin = 1e-5;  /* of the barycentrics: a hundred float roundings */
-    return triangle_hit_patched(tri, r, margin, out);
+    return triangle_hit_patched(tri, r, (real)1e-5, out);  /* a hundred float roundings */
 }
 
 /* x . n + d is 0 in the triangle's plane; u and v of x, if it lies there, are x . n + d of the
- * other two (4.13): planes through the triangle, through its edge c a, and through a b. */
+ * other two: planes through the triangle's edge c a, and through a b. */
 typedef struct { plane_equation plane, u, v; } triangle_planes;
 
 static inline triangle_planes triangle_planes_of(triangle tri)
@@ -71,10 +75,7 @@ static inline bool triangle_hit_planes_of(const triangle_planes *k, ray r, hit *
     real u = sign * (vdot(p, (vec3){k->u.a, k->u.b, k->u.c}) + det * k->u.d);
     real v = sign * (vdot(p, (vec3){k->v.a, k->v.b, k->v.c}) + det * k->v.d);
     if (!(real_min(real_min(u, v), size - u - v) >= 0)) return false;
-    real t = above / det;
-    if (!ray_covers(r, t) || !isfinite(t)) return false;
-    *out = (hit){t, u / size, v / size, 0};
-    return true;
+    return triangle_met(r, above / det, u / size, v / size, out);
 }
 
 static inline bool triangle_hit_planes(triangle tri, ray r, hit *out)
@@ -83,18 +84,16 @@ static inline bool triangle_hit_planes(triangle tri, ray r, hit *out)
     return triangle_hit_planes_of(&k, r, out);
 }
 
-/* With a, b, c as seen from o, d . (b x a) is six times the volume of o, d, b, a: its sign tells on
- * which side the ray passes the edge (4.12). The neighbour computes exactly the negative. But a
- * sum of three rounded products may have the wrong sign: all round a vertex may say no. */
+/* With a, b, c as seen from o, d . (b x a) is six times the volume of o, d, b, a. The neighbour
+ * computes exactly the negative; but a sum of three rounded products may have the wrong sign: all
+ * round a vertex may say no. */
 static inline bool triangle_hit_triple(triangle tri, ray r, hit *out)
 {
     vec3 a = vsub(tri.a, r.o), b = vsub(tri.b, r.o), c = vsub(tri.c, r.o), cb = vcross(c, b);
     real w = vdot(r.d, cb), u = vdot(r.d, vcross(a, c)), v = vdot(r.d, vcross(b, a));
     if (signs_differ(w, u, v)) return false;
-    real det = w + u + v, t = vdot(a, cb) / det;
-    if (!ray_covers(r, t) || !isfinite(t)) return false;
-    *out = (hit){t, u / det, v / det, 0};
-    return true;
+    real det = w + u + v;
+    return triangle_met(r, vdot(a, cb) / det, u / det, v / det, out);
 }
 
 #endif

@@ -78,7 +78,7 @@ static inline void csg_draw(const options *o, const csg_scene *scene)
 
 /* ---- panels: one way, one eye ---- */
 
-typedef struct { const csg_scene *scene; csg_hit_function *X_hit; first_camera camera; } csg_panel;
+typedef struct { const csg_scene *scene; csg_way way; first_camera camera; } csg_panel;
 
 static const vec3 csg_inner = {0.45, 0.42, 0.45}, csg_nothing = {0.86, 0.89, 0.93};
 
@@ -88,7 +88,7 @@ static vec3 csg_panel_colour(const void *context, real x, real y)
     const csg_panel *p = context;
     ray r = first_camera_ray(p->camera, x, y);
     hit h;
-    if (!p->X_hit(&p->scene->c, r, &h)) return csg_nothing;
+    if (!csg_way_hit(&p->way, &p->scene->c, r, &h)) return csg_nothing;
     vec3 n = csg_normal(&p->scene->c, r, h);
     vec3 paint = vdot(n, r.d) > 0 ? csg_inner : csg_scene_colour(p->scene, h);
     return vscale(paint, (real)0.22 + (real)0.78 * headlight(n, r.d).x);
@@ -112,7 +112,7 @@ cold_inline void csg_draw_inside(const options *o)
     bool whole;
     csg_scene s = csg_scene_of(CSG_CLASSIC);
     for (int k = 0; k < 6; k++) {
-        of[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, eye[k % 3]};
+        of[k] = (csg_panel){&s, {k < 3 ? csg_hit_front : csg_hit, 0}, eye[k % 3]};
         p[k] = (panel){title[k], &of[k]};
     }
     image sheet = panels_new(o, (panels_shape){960, 2 * h + 12, 3, 2, 12, o->quick ? 1 : 2, false},
@@ -127,19 +127,14 @@ cold_inline void csg_draw_inside(const options *o)
     image_free(&sheet), csg_scene_free(&s);
 }
 
-static bool csg_hit_coarse(const csg *c, ray r, hit *out)
-{
-    csg_tolerance = (real)0.003;
-    return csg_hit_tolerant(c, r, out);
-}
-
 cold_inline void csg_draw_pocket(const options *o)
 {
     enum { w = 312, h = 300 };
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
     const first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0),
                                            42, w, h);
-    const csg_panel of[3] = {{&s, csg_hit_points, c}, {&s, csg_hit_coarse, c}, {&s, csg_hit, c}};
+    const csg_panel of[3] = {{&s, {csg_hit_tolerant, -1}, c}, {&s, {csg_hit_tolerant, 0.003}, c},
+                             {&s, {csg_hit, 0}, c}};
     const panel p[3] = {{"no rule for equal t", &of[0]},
                         {"crossings within 0.003 are one", &of[1]},
                         {"csg.h: one plane, one t", &of[2]}};

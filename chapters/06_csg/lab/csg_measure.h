@@ -14,30 +14,23 @@
 
 enum { csg_methods = 6, csg_timed = 1024 };
 
-static const struct {
-    const char *name;
-    csg_hit_function *X_hit;
-    double tolerance;
-} csg_method[] = {
-    {"t > 0, as first.h", csg_hit_front, 0},
-    {"planes by points, one by one", csg_hit_points, 0},
-    {"the same, tolerance 1e-9", csg_hit_tolerant, 1e-9},
-    {"the same, tolerance 0.003", csg_hit_tolerant, 0.003},
-    {"spans", csg_hit, 0},
-    {"spans, bounds: csg_hit", csg_hit, 0}};
+static const struct { const char *name; csg_way way; } csg_method[csg_methods] = {
+    {"t > 0, as first.h", {csg_hit_front, 0}},
+    {"planes by points, one by one", {csg_hit_tolerant, -1}},
+    {"the same, tolerance 1e-9", {csg_hit_tolerant, 1e-9}},
+    {"the same, tolerance 0.003", {csg_hit_tolerant, 0.003}},
+    {"spans", {csg_hit, 0}},
+    {"spans, bounds: csg_hit", {csg_hit, 0}}};
 
-static inline int csg_rounds(const options *o) { return o->quick ? 3 : o->full ? 31 : 9; }
-
-typedef struct { const csg *c; int method; ray *r; size_t n; } csg_timing;
+typedef struct { const csg *c; csg_way way; const ray *r; } csg_timing;
 
 static double csg_time_run(void *context)
 {
     const csg_timing *x = context;
     double sum = 0;
     hit h;
-    csg_tolerance = (real)csg_method[x->method].tolerance;
-    for (size_t i = 0; i < x->n; i++)
-        sum += csg_method[x->method].X_hit(x->c, x->r[i], &h) ? (double)h.t : 0;
+    for (size_t i = 0; i < csg_timed; i++)
+        sum += csg_way_hit(&x->way, x->c, x->r[i], &h) ? (double)h.t : 0;
     return sum;
 }
 
@@ -50,10 +43,8 @@ static inline void csg_survey_sight(size_t k, void *context)
     csg_survey *y = context;
     for (size_t i = 0; i < y->n; i++) {
         csg_due d = csg_due_of(&y->sight[k], i);
-        for (int m = 0; m < csg_methods; m++) {
-            csg_tolerance = (real)csg_method[m].tolerance;
-            y->wrong[m][k] += csg_errs(&y->sight[k], &d, csg_method[m].X_hit, m < csg_methods - 1);
-        }
+        for (int m = 0; m < csg_methods; m++)
+            y->wrong[m][k] += csg_errs(&y->sight[k], &d, csg_method[m].way, m < csg_methods - 1);
     }
 }
 
@@ -70,8 +61,9 @@ static inline void csg_main_table(const options *o)
     bare.no_bounds = true;
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, m, r, csg_timed};
-    bench_each(csg_time_run, x, sizeof *x, csg_methods, csg_rounds(o), 1e9 / csg_timed, ns);
+        x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, csg_method[m].way, r};
+    bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : o->full ? 31 : 9,
+               1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error foils [%]|time [ns]");
@@ -87,8 +79,6 @@ static inline void csg_main_table(const options *o)
     for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
 }
 
-/* ---- with --full ---- */
-
 static inline void csg_tolerance_plot(const options *o)
 {
     static const csg_sight_kind kind[3] = {CSG_COINCIDENT, CSG_FAR_AWAY, CSG_FOILS};
@@ -99,8 +89,8 @@ static inline void csg_tolerance_plot(const options *o)
         csg_sight s = csg_sight_of(kind[k], o->seed);
         plot_series(&p, name[k]);
         for (int e = -24; e <= 0; e++) {
-            csg_tolerance = pow((real)10, (real)e / 2);
-            plot_add(&p, k, (double)csg_tolerance, csg_wrong(&s, csg_hit_tolerant, true, 1000));
+            csg_way way = {csg_hit_tolerant, (double)pow((real)10, (real)e / 2)};
+            plot_add(&p, k, way.tolerance, csg_wrong(&s, way, true, 1000));
         }
         csg_scene_free(&s.scene);
     }

@@ -1,11 +1,11 @@
-/* csg_variants.h: three other ways to find the first hit of a tree, with the signature of csg_hit.
+/* csg_variants.h: other ways to find the first hit of a tree, with the signature of csg_hit.
  *
  *   csg_hit_front(&c, r, &h)      first.h's way for any tree: hits with t > 0 alone, begins outside
- *   csg_hit_points(&c, r, &h)     planes through a corner of their box, along two of its edges, t
- *                                 by (4.4); one crossing at a time: spans of length 0 stay, and
- *                                 those that are rounding errors long
- *   csg_hit_tolerant(&c, r, &h)   the same planes; crossings within csg_tolerance [length] of each
- *                                 other happen at once
+ *   csg_hit_tolerant(&c, r, &h)   planes through a corner of their box, along two of its edges, t
+ *                                 by (4.4); crossings within csg_tolerance [length] of each other
+ *                                 happen at once. Below 0: one crossing at a time, those of a
+ *                                 first: spans of length 0 stay, and those that are rounding errors
+ *   csg_way_hit(&way, &c, r, &h)  a function, with its tolerance
  */
 #ifndef CSG_VARIANTS_H
 #define CSG_VARIANTS_H
@@ -14,7 +14,9 @@
 
 typedef bool csg_hit_function(const csg *, ray, hit *);
 
-static _Thread_local real csg_tolerance = (real)1e-9;
+typedef struct { csg_hit_function *X_hit; double tolerance; } csg_way;
+
+static _Thread_local real csg_tolerance, csg_tolerance_t;  /* [length], and in lengths of d */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -58,10 +60,6 @@ static inline size_t csg_point_crossings(const csg_solid *s, ray r, uint32_t fir
     return csg_span(enter, in, leave, from, out);
 }
 
-/* In lengths of d; csg_walk hands no ray to a merge. Below 0: one crossing at a time, those of a
- * first. */
-static _Thread_local real csg_tolerance_t;
-
 static inline size_t csg_merge_tolerant(csg_operation what, const csg_crossing *a, size_t na,
                                         const csg_crossing *b, size_t nb, csg_crossing *out)
 {
@@ -98,10 +96,10 @@ static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
     return csg_hit_by(c, r, csg_tolerant_crossings, csg_merge_tolerant, out);
 }
 
-static inline bool csg_hit_points(const csg *c, ray r, hit *out)
+static inline bool csg_way_hit(const csg_way *w, const csg *c, ray r, hit *out)
 {
-    csg_tolerance_t = -1;
-    return csg_hit_by(c, r, csg_tolerant_crossings, csg_merge_tolerant, out);
+    csg_tolerance = (real)w->tolerance;
+    return w->X_hit(c, r, out);
 }
 
 #endif
