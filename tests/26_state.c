@@ -539,7 +539,6 @@ static void test_environment(void)
     image_free(&im);
 }
 
-/* The program itself compares its walk with path_radiance: another L is exit 1. */
 static void test_pixel(void)
 {
     for (int k = 0; k < 6; k++) {

@@ -35,93 +35,90 @@ static const strategy strategy_list[strategies] = {
     {"first", {SEQUENCE_RANDOM, true, false, ROULETTE_FIXED, path_endless, 0, false}}};
 typedef struct { double error, seconds, rays; } measured;
 typedef struct {
+    const options *o;
     int side;
+    first_scene first;
     image reference, light;  /* light: what the eye sees of it at once */
 } measure_place;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void measure_shot(shot *s, const options *o, path_options how, int side)
+static inline void measure_shot(const measure_place *m, path_options how, uint64_t seed, shot *s)
 {
-    first_scene f = first_cornell();
+    options o = *m->o;
+    o.seed = seed;
     s->c = (showcase){.eye = lit_first_camera()};
-    lit_first(&f, &s->c.s);
-    shot_begin(s, o, how, film_new(side, side));
+    lit_first(&m->first, &s->c.s);
+    shot_begin(s, &o, how, film_new(m->side, m->side));
 }
 
-static inline image measure_picture(const options *o, path_options how, int side, uint32_t samples)
+static inline image measure_picture(const measure_place *m, path_options how, uint32_t samples)
 {
     shot s;
-    options with = *o;
-    with.seed = 77;
-    measure_shot(&s, &with, how, side);
+    measure_shot(m, how, 77, &s);
     if (!passes_range(render_passes(&s.j), &s.film, 0, samples)) die(parallel_stopped(), "stopped");
     image im = film_picture(&s.film);
     shot_free(&s);
     return im;
 }
 
-static inline double measure_error(const measure_place *m, const image *im)
+/* The mean square over the pixels that do not see the light. */
+static inline double measure_square(const measure_place *m, const film *f)
 {
     double sum = 0;
     size_t n = 0;
+    image im = film_picture(f);
     for (int i = 0; i < 3 * m->side * m->side; i++) {
-        double d = (double)im->rgb[i] - (double)m->reference.rgb[i];
+        double d = (double)im.rgb[i] - (double)m->reference.rgb[i];
         if (m->light.rgb[i] <= 0) sum += d * d, n++;
     }
-    return sqrt(sum / (double)n);
+    image_free(&im);
+    return sum / (double)n;
 }
 
-/* Sample k of pixel i: its eye ray, and in *r its other numbers. half: of the pixel. */
-static inline ray measure_eye(const measure_place *m, camera c, int i, uint32_t k,
-                              const path_pixel half[2], path_random *r)
+/* All strategies by the same loop, one thread: naive is 25's path, first that of first.h, whose
+ * rays nobody counts. The number of rays. */
+static inline size_t measure_render(const measure_place *m, shot *s, const strategy *y,
+                                    uint32_t samples)
 {
-    *r = path_sample(&half[k % 2], k / 2, 1u << 31);
-    point2 u = path_pair(r);
-    return camera_ray(c, (real)(i % m->side) + u.u, (real)(i / m->side) + u.v, m->side, m->side);
+    naive_counts n = {0};
+    path_counts c = {0};
+    const naive_path naive = {&s->c.s, DIRECTIONS_BRDF, naive_endless, false};
+    const bool short_book = y == strategy_list + strategy_first;
+    for (int i = 0; i < m->side * m->side; i++) {
+        path_pixel half[2];
+        film_pixel sum = {{{{{0, 0}}}}};
+        for (uint64_t k = 0; k < 2; k++)
+            path_pixel_of(&y->how, s->j.seed, 2 * (uint64_t)i + k, &half[k]);
+        for (uint32_t k = 0; k < samples; k++) {
+            path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
+            point2 u = path_pair(&r);
+            ray eye = camera_ray(s->c.eye, (real)(i % m->side) + u.u, (real)(i / m->side) + u.v,
+                                 m->side, m->side);
+            film_pixel_add(&sum, k, short_book ? first_path(&m->first, eye, &r.own)
+                           : y == strategy_list ? naive_radiance(&naive, eye, &r.pairs, &n)
+                           : path_radiance(&s->t, eye, &r, &c));
+        }
+        film_gather(&s->film, (size_t)i, &sum);
+    }
+    return path_rays(&c) + naive_rays(&n);
 }
 
-static inline void measure_pixel(const strategy *y, int run, int i, path_pixel half[2])
-{
-    for (uint64_t k = 0; k < 2; k++)
-        path_pixel_of(&y->how, (uint64_t)run + 1, 2 * (uint64_t)i + k, &half[k]);
-}
-
-/* The mean square over some pictures. All strategies by the same loop: naive is 25's path, first
- * that of first.h, whose rays nobody counts. */
-static inline measured measure_strategy(const measure_place *m, const options *o, const strategy *y,
+/* The root of the mean square over some pictures. */
+static inline measured measure_strategy(const measure_place *m, const strategy *y,
                                         uint32_t samples, int runs)
 {
     measured x = {0, 0, 0};
-    first_scene first = first_cornell();
-    bool short_book = y == strategy_list + strategy_first;
     for (int run = 0; run < runs; run++) {
         shot s;
-        naive_counts n = {0};
-        path_counts c = {0};
         failure why;
-        measure_shot(&s, o, y->how, m->side);
-        naive_path p = {&s.c.s, DIRECTIONS_BRDF, naive_endless, false};
+        measure_shot(m, y->how, (uint64_t)run + 1, &s);
         double start = clock_seconds();
-        for (int i = 0; i < m->side * m->side; i++) {
-            path_pixel half[2];
-            film_pixel sum = {{{{{0, 0}}}}};
-            measure_pixel(y, run, i, half);
-            for (uint32_t k = 0; k < samples; k++) {
-                path_random r;
-                ray eye = measure_eye(m, s.c.eye, i, k, half, &r);
-                film_pixel_add(&sum, k, short_book ? first_path(&first, eye, &r.own)
-                               : y == strategy_list ? naive_radiance(&p, eye, &r.pairs, &n)
-                               : path_radiance(&s.t, eye, &r, &c));
-            }
-            film_gather(&s.film, (size_t)i, &sum);
-        }
+        x.rays += (double)measure_render(m, &s, y, samples) / runs;
         x.seconds += (clock_seconds() - start) / runs;
         film_cover(&s.film, 0, samples, &why);
-        image im = film_picture(&s.film);
-        double e = measure_error(m, &im);
-        x.error += e * e / runs, x.rays += (double)(path_rays(&c) + naive_rays(&n)) / runs;
-        image_free(&im), shot_free(&s);
+        x.error += measure_square(m, &s.film) / runs;
+        shot_free(&s);
     }
     x.error = sqrt(x.error);
     return x;
@@ -130,7 +127,7 @@ static inline measured measure_strategy(const measure_place *m, const options *o
 /* 4, 16, 64 samples; --quick ends with 16. Without --full the last alone. */
 static inline void measure_strategies(const options *o)
 {
-    measure_place m = {.side = o->quick ? 12 : 32};
+    measure_place m = {.o = o, .side = o->quick ? 12 : 32, .first = first_cornell()};
     measured naive = {0, 0, 0};
     path_options seen = path_defaults;
     int end = o->quick ? 2 : strategy_levels;
@@ -142,15 +139,15 @@ static inline void measure_strategies(const options *o)
                                "time for the naive error [x less]");
     plot error = plot_new("Error and rays", "rays a pixel", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
     seen.bounces = 0;
-    m.reference = measure_picture(o, path_defaults, m.side, o->quick ? 256 : 1500);
-    m.light = measure_picture(o, seen, m.side, 1024);
+    m.reference = measure_picture(&m, path_defaults, o->quick ? 256 : 1500);
+    m.light = measure_picture(&m, seen, 1024);
     for (int k = 0; k < strategies; k++) {
         const strategy *s = &strategy_list[k];
         measured x = naive;
         double pixels = (double)m.side * m.side;
         if (k != strategy_first) plot_series(&error, s->name);
         for (int l = o->full ? 0 : end - 1; l < end; l++) {
-            x = measure_strategy(&m, o, s, 4u << 2 * l, o->quick ? 1 : l < 2 ? 3 : 1);
+            x = measure_strategy(&m, s, 4u << 2 * l, o->quick ? 1 : l < 2 ? 3 : 1);
             if (k != strategy_first) plot_add(&error, k, x.rays / pixels, x.error);
         }
         if (k == 0) naive = x;

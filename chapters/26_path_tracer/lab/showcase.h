@@ -84,11 +84,17 @@ static inline void showcase_outdoors(showcase *c)
     c->has_sky = true;
 }
 
+/* So that y points up where z did. */
+static inline void showcase_upright(mesh *m)
+{
+    for (size_t i = 0; i < m->vertices; i++) m->v[i] = (vec3){m->v[i].x, m->v[i].z, -m->v[i].y};
+    for (size_t i = 0; i < m->normals; i++) m->n[i] = (vec3){m->n[i].x, m->n[i].z, -m->n[i].y};
+}
+
 static inline void showcase_teapot(showcase *c, real aspect)
 {
     mesh m = teapot_mesh(9);
-    for (size_t i = 0; i < m.vertices; i++) m.v[i] = (vec3){m.v[i].x, m.v[i].z, -m.v[i].y};
-    for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, m.n[i].z, -m.n[i].y};
+    showcase_upright(&m);
     lit_begin(&c->s);
     vec3 copper = {0.95, 0.64, 0.54};
     uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, 0.45)});
@@ -139,12 +145,6 @@ cold_inline bool showcase_of(const char *name, real aspect, showcase *c, failure
     return true;
 }
 
-/* So that y points up where z did. */
-static inline void showcase_upright(vec3 *v, size_t n)
-{
-    for (size_t i = 0; i < n; i++) v[i] = (vec3){v[i].x, v[i].z, -v[i].y};
-}
-
 /* From the front, a little from above: the nearest eye that sees all of it, with a margin. */
 static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, showcase *c,
                                    failure *f)
@@ -154,7 +154,7 @@ static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, sho
     camera_frame frame;
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
-    if (z_up) showcase_upright(m.v, m.vertices), showcase_upright(m.n, m.normals);
+    if (z_up) showcase_upright(&m);
     bool some = mesh_bounds(&m, &lo, &hi);
     vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
     real r = vlength(half), fov = 30, margin = (real)0.88;
