@@ -11,19 +11,36 @@
 static const double false_alarm = 1e-7;  /* of each test of chance; some 300 */
 
 /* Means of n samples each along one ray, by so many independent pixels: what the t-test takes. */
-static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estimate e[3],
-                  path_counts *c)
+static void along_of(uint64_t seed, const path_tracer *t, ray r, size_t pixels, uint32_t n,
+                     estimate e[3], path_counts *c)
 {
     for (int k = 0; k < 3; k++) e[k] = (estimate){0};
     for (size_t p = 0; p < pixels; p++) {
         vec3 sum = {0, 0, 0};
         for (uint32_t k = 0; k < n; k++) {
-            path_random s = path_start(&t->how, 3, p, k, n);
+            path_random s = path_start(&t->how, seed, p, k, n);
             (void)path_pair(&s);
             sum = vadd(sum, path_radiance(t, r, &s, c));
         }
         for (int k = 0; k < 3; k++) e[k] = estimate_add(e[k], (double)vaxis(sum, k) / n);
     }
+}
+
+static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estimate e[3],
+                  path_counts *c)
+{
+    along_of(3, t, r, pixels, n, e, c);
+}
+
+/* A ball of that around the origin, in white light from all sides. */
+static lit_scene ball_of(lit_material m)
+{
+    lit_scene s;
+    lit_begin(&s);
+    lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), lit_add_material(&s, m));
+    s.background = (vec3){1, 1, 1};
+    lit_end(&s);
+    return s;
 }
 
 /* ---- a closed sphere that shines: L = Le / (1 - albedo), everywhere, in all directions ---- */
@@ -62,18 +79,13 @@ typedef enum { FURNACE_DIRECTIONS, FURNACE_LIGHTS, FURNACE_BOTH } furnace_way;
 
 static void furnace_ball(const brdf *b, const environment *sky, real cosine, furnace_way way)
 {
-    lit_scene s;
+    lit_scene s = ball_of((lit_material){.f = *b});
     path_tracer t;
     estimate e[3];
     path_counts c = {0};
     path_options how = path_defaults;
     how.light_sampling = way != FURNACE_DIRECTIONS, how.mis = way == FURNACE_BOTH;
     how.roulette = ROULETTE_NONE, how.bounces = 3;
-    lit_begin(&s);
-    lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}),
-                  lit_add_material(&s, (lit_material){.f = *b}));
-    s.background = (vec3){1, 1, 1};
-    lit_end(&s);
     path_tracer_of(&s, sky, how, &t);
     real y = sqrt(1 - cosine * cosine);
     along(&t, ray_from((vec3){0, y, 5}, (vec3){0, 0, -1}), check_count(400), 16, e, &c);
@@ -142,16 +154,12 @@ static void test_leaning_normals(void)
 static void test_glass(void)
 {
     for (int k = 0; k < 3; k++) {
-        lit_scene s;
         path_tracer t;
         estimate e[3];
         path_counts c = {0};
         lit_material m = {.ior = k == 1 ? (real)0.7 : (real)1.5, .sigma = {0, 0, 0}};
         if (k == 2) m.sigma = (vec3){1, 2, 0};
-        lit_begin(&s);
-        lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), lit_add_material(&s, m));
-        s.background = (vec3){1, 1, 1};
-        lit_end(&s);
+        lit_scene s = ball_of(m);
         path_tracer_of(&s, NULL, path_defaults, &t);
         along(&t, ray_from(vec(0, 0.6, 5), (vec3){0, 0, -1}), check_count(500), 16, e, &c);
         check_at_least(t_test(e[2], 1, 1e-6), false_alarm, "a clear ball %d in white light: %.9g",
@@ -183,15 +191,10 @@ static void test_rough_glass(void)
     static const double alphas[4] = {0.5, 0.2, 0.05, 1e-3};
     double before = 0;
     for (int k = 0; k < 4; k++) {
-        lit_scene s;
+        lit_scene s = ball_of((lit_material){.ior = 1.5, .alpha = (real)alphas[k]});
         path_tracer t;
         estimate e[3];
         path_counts c = {0};
-        lit_begin(&s);
-        lit_material m = {.ior = 1.5, .alpha = (real)alphas[k]};
-        lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), lit_add_material(&s, m));
-        s.background = (vec3){1, 1, 1};
-        lit_end(&s);
         path_tracer_of(&s, NULL, path_defaults, &t);
         along(&t, ray_from(vec(0, 0.6, 5), (vec3){0, 0, -1}), check_count(2000), 16, e, &c);
         check_at_most(e[0].mean, 1 + 5 * estimate_error(e[0]), "no light is won, alpha %g",
@@ -218,42 +221,37 @@ static void test_naive(void)
     naive_path p = {&c.s, DIRECTIONS_BRDF, naive_endless, false};
     naive_counts counts = {0};
     path_counts mine = {0};
+    path_options how = path_defaults;
+    how.sequence = SEQUENCE_RANDOM;
     size_t n = check_count(12000), compared = 0;
     for (int i = 0; i < side * side; i++) {
-        estimate a[3] = {{0}, {0}, {0}}, b[3] = {{0}, {0}, {0}};
+        estimate e[2][3] = {{{0}}};
         size_t found[3] = {0, 0, 0};
-        for (size_t k = 0; k < n; k++) {
-            sampler s = sampler_start(SEQUENCE_RANDOM, 5, (uint64_t)i, (uint32_t)k, (uint32_t)n);
-            point2 u = sampler_pair(&s);
-            ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
-            vec3 L = naive_radiance(&p, r, &s, &counts);
-            for (int ch = 0; ch < 3; ch++) {
-                found[ch] += (double)vaxis(L, ch) > a[ch].mean / 2;
-                a[ch] = estimate_add(a[ch], (double)vaxis(L, ch));
-            }
-        }
-        for (size_t k = 0; k < n / 8; k++) {
-            path_options how = t.how;
-            how.sequence = SEQUENCE_RANDOM;
-            path_random s = path_start(&how, 6, (uint64_t)i, (uint32_t)k, (uint32_t)n);
+        for (size_t k = 0; k < n + n / 8; k++) {
+            bool own = k >= n;
+            path_random s = path_start(&how, 5 + own, (uint64_t)i, (uint32_t)k, 1u << 31);
             point2 u = path_pair(&s);
             ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
-            vec3 L = path_radiance(&t, r, &s, &mine);
-            for (int ch = 0; ch < 3; ch++) b[ch] = estimate_add(b[ch], (double)vaxis(L, ch));
+            vec3 L = own ? path_radiance(&t, r, &s, &mine)
+                         : naive_radiance(&p, r, &s.pairs, &counts);
+            for (int ch = 0; ch < 3; ch++) {
+                found[ch] += !own && (double)vaxis(L, ch) > e[0][ch].mean / 2;
+                e[own][ch] = estimate_add(e[own][ch], (double)vaxis(L, ch));
+            }
         }
         for (int ch = 0; ch < 3; ch++) {  /* where a hundred paths found light: nearly normal */
             if (found[ch] < 100) continue;
             compared++;
-            check_at_least(welch_test(a[ch], b[ch]), false_alarm / 10,
-                           "pixel %d, channel %d: %.6g, naive %.6g", i, ch, b[ch].mean, a[ch].mean);
+            check_at_least(welch_test(e[0][ch], e[1][ch]), false_alarm / 10,
+                           "pixel %d, channel %d: %.6g, naive %.6g", i, ch, e[1][ch].mean,
+                           e[0][ch].mean);
         }
-        all[0] = estimate_add(all[0], a[0].mean - b[0].mean);
-        all[1] = estimate_add(all[1], a[1].mean - b[1].mean);
+        for (int ch = 0; ch < 2; ch++)
+            all[ch] = estimate_add(all[ch], e[0][ch].mean - e[1][ch].mean);
     }
-    check_at_least(t_test(all[0], 0, 1e-9), false_alarm, "the mean difference of all pixels: %g",
-                   all[0].mean);
-    check_at_least(t_test(all[1], 0, 1e-9), false_alarm, "the mean difference of all pixels: %g",
-                   all[1].mean);
+    for (int ch = 0; ch < 2; ch++)
+        check_at_least(t_test(all[ch], 0, 1e-9), false_alarm, "all pixels: off by %g on average",
+                       all[ch].mean);
     check_at_least(compared, n == 12000 ? side * side * 2 : 0, "pixels and channels compared");
     path_tracer_free(&t), showcase_free(&c);
 }
@@ -343,12 +341,7 @@ static void test_strategies(const lit_scene *s, const environment *sky, ray r, u
         path_tracer t;
         path_counts c = {0};
         path_tracer_of(s, sky, how[k], &t);
-        for (int ch = 0; ch < 3; ch++) e[k][ch] = (estimate){0};
-        for (size_t i = 0; i < check_count(20000); i++) {
-            path_random q = path_start(&how[k], seed + (uint64_t)k, i, 0, 1);
-            vec3 L = path_radiance(&t, r, &q, &c);
-            for (int ch = 0; ch < 3; ch++) e[k][ch] = estimate_add(e[k][ch], (double)vaxis(L, ch));
-        }
+        along_of(seed + (uint64_t)k, &t, r, check_count(20000), 1, e[k], &c);
         path_tracer_free(&t);
     }
     for (int ch = 0; ch < 3; ch++)
