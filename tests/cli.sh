@@ -242,7 +242,7 @@ for name in 07_mesh 10_grid 11_octree 12_kdtree 13_bsp 14_bvh 15_wide_bvh 17_com
     [ -x "$program" ] || continue
     for model in point far; do
         case $name$model in  # which give a point and its surroundings a size
-        07_meshpoint | 13_bsppoint | 27_effectspoint) run 0 --quick --size 48x36 $model.obj ;;
+        07_meshpoint | 27_effectspoint) run 0 --quick --size 48x36 $model.obj ;;
         *) run 2 --quick --size 48x36 $model.obj; tells err "^$name: $model.obj:" ;;
         esac
     done

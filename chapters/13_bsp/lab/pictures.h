@@ -10,15 +10,8 @@
 #ifndef BSP_PICTURES_H
 #define BSP_PICTURES_H
 
-#include "../../../common/lab/label.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
-
-typedef struct {
-    const bsp *b;
-    int width, height, up;   /* of the panel; axis: 1 or 2 */
-    real x0, x1, up0, up1;   /* of the slice */
-} bsp_slice;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -46,52 +39,39 @@ static inline vec3 cell_tint(const bsp *b, uint32_t leaf)
     return (vec3){tint[0], tint[1], tint[2]};
 }
 
-static inline vec3 slice_colour(const void *slice, real x, real y)
+static inline vec3 slice_colour(const void *picture, real x, real y)
 {
-    const bsp_slice *p = slice;
-    vec3 at = aabb_centre(p->b->all);
-    at.x = p->x0 + x / (real)p->width * (p->x1 - p->x0);
-    at = vwith(at, p->up, p->up1 - y / (real)p->height * (p->up1 - p->up0));
-    if (!aabb_contains(p->b->all, at)) return (vec3){1, 1, 1};
-    return cell_tint(p->b, leaf_of(p->b, vsub(at, p->b->middle)));
+    const trial_picture *p = picture;
+    const bsp *b = p->built;
+    int up = vlongest(vabs(p->camera.v));
+    vec3 at = b->middle, size = vsub(b->all.hi, b->all.lo);
+    real w = (real)p->width, h = (real)p->height;
+    real pixel = (real)1.02 * real_max(size.x / w, vaxis(size, up) / h);
+    at.x += (x - w / 2) * pixel;
+    at = vwith(at, up, vaxis(at, up) + (h / 2 - y) * pixel);
+    if (!aabb_contains(b->all, at)) return (vec3){1, 1, 1};
+    return cell_tint(b, leaf_of(b, vsub(at, b->middle)));
 }
-
-/* Two panels and four pixels between them; in a tiny picture they touch, or the last one covers. */
-static inline int panel_side(int side) { return side > 32 ? side / 2 - 2 : (side + 1) / 2; }
 
 cold_inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image *all)
 {
-    bool whole = true;
     vec3 lo, hi;
-    int x = all->width / 2 + 10, y = all->height / 2 + 10;
-    int up = z_up ? 2 : 1, side = 1;
-    if (!mesh_bounds(&s->m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
-    if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
-        lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
-    for (int k = 0; k < 2 && whole; k++) {
-        trial_row r = bsp_row_list[k ? 3 : 2];  /* cost, axis */
-        trial_build(&r, s);
-        image im = image_new(panel_side(all->width), panel_side(all->height));
-        real aspect = (real)im.width / (real)im.height;
-        real tall = vaxis(hi, up) - vaxis(lo, up), low = (vaxis(hi, up) + vaxis(lo, up)) / 2;
-        real half = (real)0.51 * real_max(hi.x - lo.x, tall * aspect), left = (lo.x + hi.x) / 2;
-        bsp_slice slice = {r.built, im.width, im.height, up, left - half, left + half,
-                           low - half / aspect, low + half / aspect};
-        camera c = camera_of(lo, hi, z_up, aspect);
-        trial_picture p = {&bsp_trial, r.built, &s->m, c, im.width, im.height, 90};
-        whole = pixels_draw(&im, 3, threads, "cells", slice_colour, &slice);
-        image_place(all, k * (all->width - im.width), 0, &im);
-        whole = whole && trial_draw(&im, &side, threads, "work", trial_work_colour, p);
-        image_place(all, k * (all->width - im.width), all->height - im.height, &im);
-        image_free(&im);
-        trial_unbuild(&r);
-    }
+    trial_panel panel[4];
+    int gap = all->width > 32 && all->height > 32 ? 4 : 0;
+    int w = (all->width - gap) / 2, h = (all->height - gap) / 2, x = w + 12, y = h + 12;
+    mesh_bounds(&s->m, &lo, &hi);
+    camera c = camera_of(lo, hi, z_up, (real)(all->width - gap) / (real)(all->height - gap));
+    for (int k = 0; k < 4; k++)
+        panel[k] = (trial_panel){s, &bsp_trial, bsp_row_list[k % 2 ? 3 : 2].how, c, 90,
+                                 k < 2 ? 3 : 1, k < 2 ? slice_colour : trial_work_colour};
+    bool whole = trial_draw_panels(all, 2, 2, gap, panel, true, threads);
+    label_fill(all, w, 0, gap, all->height, vec(0, 0, 0));
+    label_fill(all, 0, h, all->width, gap, vec(0, 0, 0));
     if (all->width >= 400) {
         label_tag(all, 8, 8, 11, "k-d tree: cells"), label_tag(all, x, 8, 11, "BSP tree: cells");
         label_tag(all, 8, y, 11, "k-d tree: work"), label_tag(all, x, y, 11, "BSP tree: work");
-        int w = panel_side(all->width), bottom = panel_side(all->height);
-        label_fill(all, w / 4 - 8, bottom - 32, w / 2 + 16, 32, vec(1, 1, 1));
-        label_bar(all, w / 4, bottom - 28, w / 2, 7, work_colour, 0, 90,
+        label_fill(all, w / 4 - 8, h - 32, w / 2 + 16, 32, vec(1, 1, 1));
+        label_bar(all, w / 4, h - 28, w / 2, 7, work_colour, 0, 90,
                   "steps and tests a ray; white: more");
     }
     return whole;

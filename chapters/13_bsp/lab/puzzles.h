@@ -37,16 +37,14 @@ static inline mesh town_mesh(size_t n, real turn)
         real w = 2 / (real)n, h = (real)0.1 + (real)0.6 * random_next(&g), edge = w / 6;
         vec3 lo = {w * (real)(i % n) - 1 + edge, w * (real)(i / n) - 1 + edge, 0};
         vec3 size = {w - 2 * edge, w - 2 * edge, h}, q[8];
-        for (int k = 0; k < 8; k++) {
-            vec3 part = {(real)(k & 1), (real)(k >> 1 & 1), (real)(k >> 2)};
-            q[k] = vturned(vadd(lo, vmul(part, size)), axis, turn);
-        }
+        for (int k = 0; k < 8; k++)
+            q[k] = vturned(vadd(lo, vmul(vec(k & 1, k >> 1 & 1, k >> 2), size)), axis, turn);
         static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
         for (size_t k = 0; k < 12; k++) {
             const int *f = face[k / 2];
-            m.v[36 * i + 3 * k] = q[f[0]];
-            m.v[36 * i + 3 * k + 1] = q[f[1 + k % 2]], m.v[36 * i + 3 * k + 2] = q[f[2 + k % 2]];
+            vec3 *v = m.v + 36 * i + 3 * k;
+            v[0] = q[f[0]], v[1] = q[f[1 + k % 2]], v[2] = q[f[2 + k % 2]];
         }
     }
     return m;
