@@ -166,10 +166,11 @@ static void test_reproducible(void)
 
 typedef struct {
     material floor;
-    vec3 sheet[4];
-    shape shapes[1];
+    vec3 corner[8];
+    shape shapes[2];
     scene s;
     world_part part;
+    trace_world w;
 } furnace;
 
 static material furnace_material(const void *context, trace_hit x, const surface *s)
@@ -178,15 +179,20 @@ static material furnace_material(const void *context, trace_hit x, const surface
     return ((const furnace *)context)->floor;
 }
 
-static furnace *furnace_new(vec3 kd, vec3 ks, real shine)
+/* A floor; wall: NULL, or the corners of what stands on it. */
+static furnace *furnace_new(vec3 kd, vec3 ks, real shine, const vec3 *wall)
 {
     furnace *f = allocate(1, sizeof *f);
     f->floor = (material){kd, ks, shine, {0, 0, 0}};
-    for (int k = 0; k < 4; k++)
-        f->sheet[k] = (vec3){k == 0 || k == 3 ? -100 : 100, k < 2 ? -100 : 100, 0};
-    f->shapes[0] = shape_of_polygon(polygon_of(f->sheet, 4));
-    f->s = (scene){f->shapes, 1};
+    for (int k = 0; k < 4; k++) {
+        f->corner[k] = (vec3){k == 0 || k == 3 ? -100 : 100, k < 2 ? -100 : 100, 0};
+        if (wall) f->corner[4 + k] = wall[k];
+    }
+    f->s = (scene){f->shapes, wall ? 2 : 1};
+    for (size_t i = 0; i < f->s.n; i++)
+        f->shapes[i] = shape_of_polygon(polygon_of(f->corner + 4 * i, 4));
     world_part_of_scene(&f->s, MASK_ALL, &f->part);
+    f->w = (trace_world){&f->part, 1};
     return f;
 }
 
@@ -197,8 +203,7 @@ static void furnace_free(furnace *f) { world_part_free(&f->part), free(f); }
 static void test_sum(void)
 {
     vec3 kd = {0.5, 0.25, 0.125}, ks = {0.25, 0.5, 0.75};
-    furnace *f = furnace_new(kd, ks, 1);
-    trace_world world = {&f->part, 1};
+    furnace *f = furnace_new(kd, ks, 1, NULL);
     known k;
     known_make(KNOWN_SQUARE, &k);
     distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
@@ -206,7 +211,7 @@ static void test_sum(void)
     ray r = ray_from((vec3){-sqrt((real)3), 0, 1}, (vec3){sqrt((real)3), 0, -1});
     uint32_t n = (uint32_t)check_count(20000);
     for (int kind = 0; kind < 2; kind++) {
-        distributor d = distributor_of(&world, &how);
+        distributor d = distributor_of(&f->w, &how);
         estimate e[3] = {{0}, {0}, {0}};
         for (uint32_t i = 0; i < (kind ? check_count(200) : n); i++) {
             vec3 sum = {0, 0, 0};
@@ -237,12 +242,11 @@ static void test_furnace(void)
     for (int i = 0; i < 3; i++) {
         vec3 white = {1, 1, 1}, black = {0, 0, 0};
         furnace *f = furnace_new(i == 1 ? black : vscale(white, 0.5),
-                                 i == 1 ? white : vscale(white, 0.5), shines[i]);
-        trace_world world = {&f->part, 1};
+                                 i == 1 ? white : vscale(white, 0.5), shines[i], NULL);
         distributed how = {.n = 0, .material_of = furnace_material, .context = f,
                            .background = white, .ambient = white, .reach = real_infinity,
                            .depth = 2};
-        distributor d = distributor_of(&world, &how);
+        distributor d = distributor_of(&f->w, &how);
         ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
         size_t off = 0;
         for (uint32_t j = 0; j < 200; j++) {
@@ -258,20 +262,15 @@ static void test_furnace(void)
  * different numbers: no correlation beyond 5 / sqrt(n), five standard deviations. */
 static void test_independent(void)
 {
-    furnace *f = furnace_new((vec3){1, 1, 0}, (vec3){0, 0, 1}, 1);
     vec3 wall[4] = {{0.6, -9, 0}, {0.6, 9, 0}, {0.6, 9, 2}, {0.6, -9, 2}};
-    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
-    scene s = {both, 2};
-    world_part part;
-    world_part_of_scene(&s, MASK_ALL, &part);
-    trace_world world = {&part, 1};
+    furnace *f = furnace_new((vec3){1, 1, 0}, (vec3){0, 0, 1}, 1, wall);
     known k;
     known_make(KNOWN_SQUARE, &k);
     k.light.colour = (vec3){1, 0, 0};
     distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
                        .background = {0, 0, 1}, .ambient = {0, 1, 0}, .reach = real_infinity,
                        .depth = 2};
-    distributor d = distributor_of(&world, &how);
+    distributor d = distributor_of(&f->w, &how);
     uint32_t n = (uint32_t)check_count(4000);
     double sum[3] = {0}, product[3][3] = {{0}};
     for (uint32_t i = 0; i < n; i++) {
@@ -292,7 +291,7 @@ static void test_independent(void)
         check_at_most(fabs(product[a][b]) / sqrt(product[a][a] * product[b][b]),
                       5 / sqrt((double)n), "correlation of colours %d and %d", a, b);
     }
-    known_free(&k), world_part_free(&part), furnace_free(f);
+    known_free(&k), furnace_free(f);
 }
 
 /* Where a chain between two glossy sheets was, by its calls for a material. */
@@ -311,17 +310,11 @@ static material chain_material(const void *context, trace_hit x, const surface *
  * angle to their axes. */
 static void test_chain(void)
 {
-    furnace *f = furnace_new((vec3){0, 0, 0}, (vec3){1, 1, 1}, 1);
-    vec3 lid[4];
-    for (int i = 0; i < 4; i++) lid[i] = f->sheet[i], lid[i].z = 1;
-    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(lid, 4))};
-    scene s = {both, 2};
-    world_part part;
-    world_part_of_scene(&s, MASK_ALL, &part);
-    trace_world world = {&part, 1};
+    vec3 lid[4] = {{-100, -100, 1}, {100, -100, 1}, {100, 100, 1}, {-100, 100, 1}};
+    furnace *f = furnace_new((vec3){0, 0, 0}, (vec3){1, 1, 1}, 1, lid);
     chain c, *at = &c;
     distributed how = {.n = 0, .material_of = chain_material, .context = &at, .depth = 3};
-    distributor d = distributor_of(&world, &how);
+    distributor d = distributor_of(&f->w, &how);
     size_t asked = 0, alike = 0;
     for (uint32_t i = 0; i < 500; i++) {
         c.n = 0;
@@ -334,7 +327,7 @@ static void test_chain(void)
     }
     check_at_least(asked, 100, "chains of three");
     check_at_most(alike, asked / 10, "lobes with the same numbers");
-    world_part_free(&part), furnace_free(f);
+    furnace_free(f);
 }
 
 /* ---- the Cornell box ---- */

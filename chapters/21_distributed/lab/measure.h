@@ -1,8 +1,7 @@
 /* measure.h: the table and the plot: pictures against converged ones.
  *
- *   table_of_pictures(&o)   error and time of pictures of soft shadows, of a blurred mirror, of
- *                           motion and of all other effects, by way of sampling, and of the first
- *                           two by first.h; its plot
+ *   table_of_pictures(&o)   error and time of pictures of soft shadows, of motion and of all other
+ *                           effects, by way of sampling, and of the first by first.h; its plot
  */
 #ifndef DISTRIBUTED_MEASURE_H
 #define DISTRIBUTED_MEASURE_H
@@ -85,22 +84,20 @@ static inline void picture_measure(const options *o, distributed_view v,
 
 static inline void table_of_pictures(const options *o)
 {
-    enum { effects = 4, mirror = 1 };
-    static const char *const names[effects] = {"soft shadow", "blurred mirror", "motion",
-                                               "all others"};
+    enum { effects = 3 };
+    static const char *const names[effects] = {"soft shadow", "motion", "all others"};
     int levels = measure_levels - o->quick;
     showroom *g = showroom_new(o->quick ? 4 : 8);
-    pool *balls = pool_new(1);
-    distributed_balls *both[effects] = {balls_new(false), balls_new(true)};
+    pool *moves = pool_new(1);
+    distributed_balls *balls = balls_new(false);
     showroom_look k;
     showroom_set(&k, g, LOOK_ALL);
-    distributed_view views[effects] = {balls_view(both[0], (real)4 / 3),
-                                       balls_view(both[1], (real)4 / 3),
-                                       pool_view(balls, (real)4 / 3),
+    distributed_view views[effects] = {balls_view(balls, (real)4 / 3),
+                                       pool_view(moves, (real)4 / 3),
                                        showroom_view(&k, SHOWROOM_ALL, (real)4 / 3)};
-    table t = table_new(o->full ? "Error of four pictures, each with 16 seeds; time of 64 samples "
+    table t = table_new(o->full ? "Error of three pictures, each with 16 seeds; time of 64 samples "
                                   "a pixel"
-                                : "Error of four small pictures, each with a few seeds; time of "
+                                : "Error of three small pictures, each with a few seeds; time of "
                                   "64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|+-|"
                         "time [ms]");
@@ -108,17 +105,16 @@ static inline void table_of_pictures(const options *o)
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int e = 0; e < effects; e++) {
         distributed_study p[picture_ways];
-        picture_measure(o, views[e], both[e], levels, p);
-        for (int m = 0; m < (both[e] ? picture_ways : picture_methods); m++) {
+        picture_measure(o, views[e], e ? NULL : balls, levels, p);
+        for (int m = 0; m < (e ? picture_methods : picture_ways); m++) {
             const char *method = m == picture_first ? "first" : sequence_name[picture_method[m]];
             char name[64];
             snprintf(name, sizeof name, "%s, %s", names[e], method);
-            int series = e == mirror ? -1 : plot_series(&time, name);
+            int series = plot_series(&time, name);
             table_text(&t, "%s", names[e]), table_text(&t, "%s", method);
             for (int l = 0; l < measure_levels; l++)
                 if (l < levels) {
                     table_number(&t, p[m].error[l]);
-                    if (series < 0) continue;  /* its curves lie on those of the shadow */
                     plot_add(&time, series, (1 << 2 * l) * 1e3 * p[m].seconds, p[m].error[l]);
                 } else table_text(&t, "-");
             table_number(&t, p[m].slope.mean), table_number(&t, estimate_error(p[m].slope));
@@ -128,7 +124,7 @@ static inline void table_of_pictures(const options *o)
     plot_slope(&time, -0.5, "slope -1/2"), plot_slope(&time, -0.75, "slope -3/4");
     output_table(o, &t);
     output_plot(o, &time, "21_distributed_time.svg");
-    showroom_free(g), pool_free(balls), balls_free(both[0]), balls_free(both[1]);
+    showroom_free(g), pool_free(moves), balls_free(balls);
 }
 
 #endif
