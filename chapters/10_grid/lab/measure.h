@@ -8,10 +8,12 @@
 #define GRID_MEASURE_H
 
 #include "../../../common/lab/report.h"
+#include "../../07_mesh/scenes/soup.h"
+#include "../../07_mesh/scenes/stadium.h"
+#include "../../09_aabb/trials/bench.h"
 #include "../first.h"
 #include "../nested.h"
 #include "drift.h"
-#include "scenes.h"
 
 TRIAL_VERBS(grid, grid, grid_hit, grid_hit_counted)
 TRIAL_VERBS(nested, nested, nested_hit, nested_hit_counted)
@@ -39,6 +41,27 @@ static const trial_row grid_row_list[grid_rows] = {
     {.name = "two levels", .verbs = &nested_trial, .how = &grid_two_levels}};
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* n large triangles across the cube of side 2: each passes through many cells, and through many
+ * others. */
+static inline mesh grid_boards(size_t n, uint64_t seed)
+{
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < 3 * n; i++) {
+        random_stream g = random_start(seed, i, 4);
+        m.v[i] = random_in_cube(&g, 1);
+    }
+    return m;
+}
+
+/* So near to the small teapot of a stadium that it fills the picture. */
+static inline camera grid_stadium_camera(void)
+{
+    mesh pot = teapot_mesh(4);
+    camera c = trial_camera(&pot, 1);
+    mesh_free(&pot);
+    return c;
+}
 
 /* ---- wrong hits, memory and time ---- */
 

@@ -9,8 +9,8 @@
 #define GRID_WALK_FIGURE_H
 
 #include "../../../common/lab/figure.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "naive.h"
-#include "scenes.h"
 
 enum { walk_wide = 13, walk_high = 6, walk_unit = 62, walk_most = 40 };
 
@@ -35,12 +35,11 @@ static inline mesh walk_mesh(void)
     return m;
 }
 
-/* Cell c, filled. */
-static inline void walk_cell(figure *g, size_t c, const char *colour, double opacity)
+static inline void walk_square(figure *g, double x, double y, double side, const char *colour,
+                               double opacity, const char *outline)
 {
-    double x = (double)(c % walk_wide), y = (double)(c / walk_wide);
-    figure_polygon(g, 4, (double[8]){x, y, x + 1, y, x + 1, y + 1, x, y + 1}, colour, opacity,
-                   NULL);
+    figure_polygon(g, 4, (double[8]){x, y, x + side, y, x + side, y + side, x, y + side}, colour,
+                   opacity, outline);
 }
 
 /* The cells that an item touches, and, paler, those that only its bounds overlap. */
@@ -53,7 +52,7 @@ static inline void walk_marks(figure *g, const items *x, const lattice *l)
             bool marked = false;
             for (size_t i = 0; i < x->n; i++)
                 marked |= exact ? items_overlap_box(x, i, cell) : items_overlap_bounds(x, i, cell);
-            if (marked) walk_cell(g, (size_t)c, FIGURE_GREY, exact ? 0.35 : 0.12);
+            if (marked) walk_square(g, at[0], at[1], 1, FIGURE_GREY, exact ? 0.35 : 0.12, NULL);
         }
 }
 
@@ -70,22 +69,15 @@ static inline void walk_t_axis(figure *g, const walk_wall *wall, int n, int axis
 {
     static const char *const name[2] = {"walls of _x_", "walls of _y_"};
     static const char *const step[2] = {"_step_~x~", "_step_~y~"};
-    double y = axis ? -1.3 : -0.75, last = -1;
-    bool drawn = false;
+    double y = axis ? -1.3 : -0.75, x[walk_most];
+    int walls = 0, shown = axis ? 0 : 2;
+    for (int i = 0; i < n; i++)
+        if (wall[i].axis == axis) x[walls++] = o + wall[i].t;
     figure_arrow(g, o, y, end, y, FIGURE_GREY, 1);
     figure_text(g, end, y, 8, 5, FIGURE_LEFT, FIGURE_BLACK, name[axis]);
-    for (int i = 0; i < n; i++) {
-        if (wall[i].axis != axis) continue;
-        double x = o + wall[i].t;
-        if (last > 2 && !drawn) {
-            figure_line(g, last, y, x, y, FIGURE_RED, 3, FIGURE_WHOLE);
-            figure_text(g, (last + x) / 2, y, 0, -8, FIGURE_MIDDLE, FIGURE_RED, step[axis]);
-            drawn = true;
-        }
-        last = x;
-    }
-    for (int i = 0; i < n; i++)
-        if (wall[i].axis == axis) walk_crossing(g, o + wall[i].t, y, axis);
+    figure_line(g, x[shown], y, x[shown + 1], y, FIGURE_RED, 3, FIGURE_WHOLE);
+    figure_text(g, (x[shown] + x[shown + 1]) / 2, y, 0, -8, FIGURE_MIDDLE, FIGURE_RED, step[axis]);
+    for (int i = 0; i < walls; i++) walk_crossing(g, x[i], y, axis);
 }
 
 static inline void walk_legend(figure *g)
@@ -95,8 +87,7 @@ static inline void walk_legend(figure *g)
     static const double opacity[3] = {0.35, 0.12, 0.45};
     for (int k = 0; k < 3; k++) {
         double x = 4.1 * k, y = walk_high + 0.25;
-        figure_polygon(g, 4, (double[8]){x, y, x + 0.3, y, x + 0.3, y + 0.3, x, y + 0.3},
-                       k == 2 ? FIGURE_SKY : FIGURE_GREY, opacity[k], FIGURE_GREY);
+        walk_square(g, x, y, 0.3, k == 2 ? FIGURE_SKY : FIGURE_GREY, opacity[k], FIGURE_GREY);
         figure_text(g, x + 0.4, y, 0, -4, FIGURE_LEFT, FIGURE_BLACK, text[k]);
     }
 }
@@ -127,8 +118,8 @@ cold_inline void draw_walk(const options *o)
     walk_legend(&g);
     walk_marks(&g, &all, &l);
     for (int i = 0; i <= n; i++) {
-        walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.45);
         double x = (double)(wall[i].cell % walk_wide), y = (double)(wall[i].cell / walk_wide);
+        walk_square(&g, x, y, 1, FIGURE_SKY, 0.45, NULL);
         double middle = i ? (wall[i - 1].t + fmin(wall[i].t, (double)h.t)) / 2 : wall[i].t / 2;
         bool high = (double)ray_at(r, (real)middle).y > y + 0.5;  /* the ray: keep off it */
         figure_print(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
