@@ -3,7 +3,6 @@
  * than 100 such tests. */
 #include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/lab/integrands.h"
-#include "../chapters/20_monte_carlo/lab/sampling_naive.h"
 #include "../common/lab/t_test.h"
 #include "check.h"
 

@@ -12,7 +12,8 @@ int main(int argc, char **argv)
                         .quick_width = 240, .quick_height = 120};
     options o = options_read(argc, argv, "20_monte_carlo",
                              "Integrals by chance: error against time.", defaults, NULL);
-    draw_points(&o), draw_chance(&o), draw_dome(&o), draw_wrong(&o);
+    draw_points(&o);
+    if (!o.out) draw_chance(&o), draw_dome(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_importance(&o);
     return output_done(&o);

@@ -77,7 +77,6 @@ static inline void draw_dome(const options *o)
     static const char *const name[dome_ways] = {"uniform", "cosine", "cosine, Sobol'"};
     char text[dome_ways][64] = {""};
     const char *title[dome_ways] = {text[0], text[1], text[2]};
-    if (o->out) return;
     image sheet = {0}, one = image_new(dome_wide, dome_high);
     dome_job job = {o->seed, 0, allocate(dome_wide * dome_high, sizeof *job.square)};
     bool whole = true;

@@ -1,7 +1,7 @@
-/* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong or inexact.
+/* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong.
  *
- * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error
- * that no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
+ * What comes out is not uniform, and every estimate that takes it for uniform has an error that no
+ * number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
  *
  *   sample_disk_naive          r = u: half of the points in the inner quarter of the area, and
  *                              their density grows without bound towards the centre
@@ -9,8 +9,6 @@
  *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
  *                              density there is 3^1.5 = 5.2 times that at the faces' middles
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
- *
- * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
  */
 #ifndef MONTE_CARLO_SAMPLING_NAIVE_H
 #define MONTE_CARLO_SAMPLING_NAIVE_H
@@ -42,21 +40,6 @@ static inline vec3 sample_sphere_naive(real u, real v)
 static inline vec3 sample_hemisphere_naive(real u, real v)
 {
     return sample_turn(sin(pi / 2 * u), cos(pi / 2 * u), v);
-}
-
-/* In float 1 - cos of an angle of 0.0047, that of the sun, is off by up to 0.3 %, and below 0.0002
- * it is 0: the pdf is infinite. */
-static inline vec3 sample_cone_naive(real angle, real u, real v)
-{
-    real z = 1 - u * (1 - cos(angle));
-    return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
-}
-
-/* n = 1e6 in float: z takes a few dozen values below 1, so directions lie on a few dozen rings. */
-static inline vec3 sample_lobe_naive(real n, real u, real v)
-{
-    real z = pow(1 - u, 1 / (n + 1));
-    return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
 }
 
 #endif
