@@ -35,7 +35,9 @@ static inline void measure_ways(const options *o)
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
     for (int k = 0; k < survey_ways; k++) {
         table_text(&t, "%s", k == survey_first ? "first" : direct_name[k]);
-        table_text(&t, k == survey_first ? "-" : "%.3g", survey_rays(&s[0], k));
+        direct_work w = s[0].work[k][survey_brief];
+        if (k == survey_first) table_text(&t, "-");
+        else table_number(&t, (double)(w.shadow + w.direction) / (double)w.samples);
         for (int i = 0; i < 2; i++) {
             if (k >= s[i].ways) {
                 table_text(&t, "-"), table_text(&t, "-");
@@ -52,27 +54,20 @@ static inline void measure_ways(const options *o)
 
 /* ---- a light closer and closer ---- */
 
-/* The variance that n samples show: one light, a matte white point at the origin, facing +z. */
-static inline double variance_seen(const emitter *e, direct_way way, uint32_t n, uint64_t seed)
+/* The variance that n samples show, of a matte white point at the origin that faces +z. */
+static inline double variance_seen(const emitter *e, bool by_angle, uint32_t n, uint64_t seed)
 {
-    lit_scene s;
-    lit_begin(&s);
-    lit_material matte = {.f = brdf_lambert((vec3){1, 1, 1})};
-    lit_add_rectangle(&s, e->rectangle, lit_add_material(&s, (lit_material){.Le = e->Le}));
-    lit_end(&s);
-    lit_lights l;
-    lit_lights_of(&s, NULL, LIGHTS_ALL, &l);
-    direct_work work = {0, 0, 0};
-    direct d = {&s, way, &l, &work, false};
-    vec3 up = {0, 0, 1};
-    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &matte, lit_dark, 1, true, false};
-    estimate x = {0};
+    const vec3 p = {0, 0, 0};
+    estimate sum = {0};
     for (uint32_t k = 0; k < n; k++) {
-        sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
-        x = estimate_add(x, grey(direct_light(&d, &h, up, &q)));
+        sampler s = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
+        (void)sampler_pair(&s);  /* of a direction, which no way here draws */
+        point2 u = sampler_pair(&s);
+        emitter_point x;
+        bool some = by_angle ? emitter_by_angle(e, p, u, &x) : emitter_by_area(e, p, u, &x);
+        sum = estimate_add(sum, some ? (double)(real_max(x.wi.z, 0) / pi / x.pdf) : 0);
     }
-    lit_lights_free(&l), lit_free(&s);
-    return estimate_variance(x);
+    return estimate_variance(sum);
 }
 
 /* A wall that shines, on the floor at the distance h. E[X^2] of samples by area = integral of
@@ -96,8 +91,8 @@ static inline void measure_near(const options *o)
             second += c * c / (double)(emitter_pdf_area(&e, p, x.s.p) * x.pdf) / n;
         }
         table_number(&t, h), table_number(&t, mean), table_number(&t, second - mean * mean);
-        table_number(&t, variance_seen(&e, DIRECT_AREA, seen, o->seed));
-        table_number(&t, variance_seen(&e, DIRECT_ANGLE, seen, o->seed));
+        table_number(&t, variance_seen(&e, false, seen, o->seed));
+        table_number(&t, variance_seen(&e, true, seen, o->seed));
     }
     output_extra_table(o, &t);
 }

@@ -95,7 +95,7 @@ cold_inline void draw_box(const options *o)
                      &g};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
-    image_free(&im), stage_close(&g);
+    image_free(&im), lit_free(&g.s);
 }
 
 /* One stage in several ways, side by side, each panel with its title. */
@@ -143,7 +143,7 @@ cold_inline void draw_exhibit(const options *o, const direct_exhibit *x)
         label_panel(&sheet, x->n, 1, gap, k, &im);
     }
     panels_save(o, &sheet, x->n, 1, gap, x->title, x->file, whole);
-    image_free(&im), stage_close(&g);
+    image_free(&im), lit_free(&g.s);
 }
 
 #endif

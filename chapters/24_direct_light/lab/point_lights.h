@@ -1,7 +1,7 @@
 /* point_lights.h: an area light as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..
  *
- *   measure_points(&o);   table and plot: error against k, where the whole lamp is seen and where a
- *                         part of it is; beside it k random points
+ *   measure_points(&o);   a table: error against k, where the whole lamp is seen and where a part
+ *                         of it is; beside it k random points
  *
  * Truth: where the whole lamp is seen, the closed form of 22; else survey.h's reference.
  */
@@ -46,32 +46,23 @@ static inline void points_job(size_t i, void *context)
 
 static inline void measure_points(const options *o)
 {
-    static const char *const name[points_ways] = {
-        "whole lamp, k point lights", "whole lamp, k random points", "part of it, k point lights",
-        "part of it, k random points"};
     direct_survey s;
     table t = table_new("A lamp as k point lights: relative error, Cornell box",
                         "k|whole lamp seen: a grid [1]|random points [1]|a part seen: a grid [1]|"
                         "random points [1]");
-    plot p = plot_new("An area light as k point lights", "k", "relative error",
-                      PLOT_LOG_X | PLOT_LOG_Y);
     survey_open(&s, o, STAGE_BOX, 48, 4096);
     points_survey v = {&s, allocate(s.points, sizeof *v.at)};
     parallel_whole(s.points, o->threads, "point lights", points_job, &v);
-    for (int way = 0; way < points_ways; way++) plot_series(&p, name[way]);
     for (int k = 0; k < points_levels; k++) {
         table_count(&t, (size_t)1 << 2 * k);
         for (int way = 0; way < points_ways; way++) {
             double sum = 0, n = 0;
             for (size_t i = 0; i < s.points; i++)
                 if (v.at[i].part == way / 2) sum += v.at[i].square[k][way % 2], n++;
-            double error = sqrt(sum / (n > 0 ? n : 1));
-            table_number(&t, error), plot_add(&p, way, 1 << 2 * k, error);
+            table_number(&t, sqrt(sum / (n > 0 ? n : 1)));
         }
     }
-    plot_slope(&p, -0.5, "slope -1/2");
     output_extra_table(o, &t);
-    output_plot(o, &p, "24_direct_light_points.svg");
     free(v.at), survey_close(&s);
 }
 

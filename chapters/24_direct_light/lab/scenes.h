@@ -1,6 +1,6 @@
 /* scenes.h: what this chapter draws and measures.
  *
- *   direct_stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
+ *   direct_stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; lit_free(&g.s)
  *
  *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
  *   STAGE_FIRST    the same as first.h has it, without leaning walls: what both versions are asked
@@ -98,7 +98,5 @@ static inline void stage_open(direct_stage_name name, direct_stage *g)
     lit_end(&g->s);
     g->c = stage_camera_of(name, g->aspect);
 }
-
-static inline void stage_close(direct_stage *g) { lit_free(&g->s); }
 
 #endif

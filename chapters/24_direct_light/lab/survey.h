@@ -4,7 +4,6 @@
  *   survey_open(&s, o, STAGE_FIRST, across, reference);  points, and the truth at each
  *   survey_measure(&s, o);            s.error[way][level] at 1, 4, 16, 64, 256 samples, all of them
  *                                     with --full, else at 64; s.seconds[way] of one sample
- *   survey_rays(&s, way)              rays of one sample; of survey_first 0
  *   survey_close(&s);
  *
  * A way is a direct_way, or survey_first: first.h's, by points of the lamp; s.ways of them, so that
@@ -61,21 +60,8 @@ static inline real whole_irradiance(rectangle r, vec3 p, vec3 n)
     return sum / 2;
 }
 
-/* As survey_estimate, by the numbers of pair 1 (direct.h): first.h chooses the points that
- * DIRECT_AREA chooses. Its rays nobody counts. */
-static inline double survey_estimate_first(const direct_survey *s, size_t i, uint64_t pixel,
-                                           uint32_t n, uint64_t seed)
-{
-    double sum = 0;
-    for (uint32_t k = 0; k < n; k++) {
-        random_stream random = random_start(seed, pixel, k);
-        random.dimension = 2;
-        sum += grey(first_direct_by_lamp(&s->first, 0, s->point[i].x, &random));
-    }
-    return sum / n;
-}
-
-/* The mean of n samples at point i; of random numbers those of number `pixel`. */
+/* The mean of n samples at point i; of random numbers those of number `pixel`. first.h chooses its
+ * points by the numbers of pair 1 (direct.h), as DIRECT_AREA does; its rays nobody counts. */
 static inline double survey_estimate(const direct_survey *s, int way, const lit_lights *l,
                                      sequence_kind sequence, size_t i, uint64_t pixel, uint32_t n,
                                      uint64_t seed, direct_work *work)
@@ -83,10 +69,15 @@ static inline double survey_estimate(const direct_survey *s, int way, const lit_
     const seen_point *p = &s->point[i];
     direct d = {&s->g.s, (direct_way)way, l, work, false};
     double sum = 0;
-    if (way == survey_first) return survey_estimate_first(s, i, pixel, n, seed);
     for (uint32_t k = 0; k < n; k++) {
-        sampler q = sampler_start(sequence, seed, pixel, k, n);
-        sum += grey(direct_light(&d, &p->h, p->wo, &q));
+        if (way == survey_first) {
+            random_stream random = random_start(seed, pixel, k);
+            random.dimension = 2;
+            sum += grey(first_direct_by_lamp(&s->first, 0, p->x, &random));
+        } else {
+            sampler q = sampler_start(sequence, seed, pixel, k, n);
+            sum += grey(direct_light(&d, &p->h, p->wo, &q));
+        }
     }
     return sum / n;
 }
@@ -173,13 +164,7 @@ static inline void survey_close(direct_survey *s)
 {
     lit_lights_free(&s->all), lit_lights_free(&s->one);
     free(s->point);
-    stage_close(&s->g);
-}
-
-static inline double survey_rays(const direct_survey *s, int way)
-{
-    direct_work w = s->work[way][survey_brief];
-    return w.samples ? (double)(w.shadow + w.direction) / (double)w.samples : 0;
+    lit_free(&s->g.s);
 }
 
 #endif
