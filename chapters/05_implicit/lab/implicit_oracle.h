@@ -171,12 +171,7 @@ static inline bool implicit_oracle(const implicit_poly *p, double a, double b, d
     for (int k = 0; k < 100 && n > 0; k++) {
         double m = (lo + hi) / 2;
         if (!(m > lo && m < hi)) break;
-        int sign = wide_sign(implicit_poly_at(&s.p[0], m));
-        /* One is left and its sign is known: halving needs p alone. */
-        bool left = n == 1 && sign != 0 && wide_sign(implicit_poly_at(&s.p[0], lo)) != 0
-                  ? sign != wide_sign(implicit_poly_at(&s.p[0], lo))
-                  : before - implicit_changes(&s, m) > 0;
-        if (left) { if (n > 1) n = before - implicit_changes(&s, m); hi = m; }
+        if (implicit_changes(&s, m) < before) hi = m;
         else lo = m;
     }
     out->first = at + half * hi;

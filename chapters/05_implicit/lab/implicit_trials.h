@@ -8,7 +8,8 @@
  *       IMPLICIT_ANYWHERE   at a point of the ball
  *       IMPLICIT_GRAZING    past a point of the surface, at a right angle to the normal there, from
  *                           1e-1 to 1e-10 of the ball's radius above or below it
- *   implicit_due(&u, r, &t)        the oracle: 1: the first root; 0: none; -1: it cannot tell
+ *   implicit_truth_of(&u, r, &truth)      the oracle: how many roots, and the first; or false: there
+ *                                  is no polynomial, or 32 digits cannot tell
  *   implicit_survey_of(&u, how, seed, kind, n, threads)   n rays by one method, against the oracle
  *
  *   missed    rays that have a root and miss it, or hit a later one: 10 sqrt(epsilon) B later or
@@ -27,9 +28,7 @@
 #include "../scenes/models.h"
 #include "implicit_oracle.h"
 
-typedef enum {
-    IMPLICIT_FIRST, IMPLICIT_NEWTON, IMPLICIT_TRACE, IMPLICIT_INTERVAL, implicit_kinds
-} implicit_kind;
+typedef enum { IMPLICIT_FIRST, IMPLICIT_NEWTON, IMPLICIT_TRACE, IMPLICIT_INTERVAL } implicit_kind;
 typedef struct {
     implicit_kind kind;
     int steps;   /* first, newton: in the interval; trace: at most; interval: not used */
@@ -64,7 +63,6 @@ static inline bool implicit_method_hit(implicit_how how, const implicit_surface 
     case IMPLICIT_NEWTON: return implicit_newton_hit(s, r, how.steps, out);
     case IMPLICIT_TRACE: return implicit_trace_hit(s, r, how.eps, how.steps, out);
     case IMPLICIT_INTERVAL: return implicit_search_hit(s, r, out);
-    case implicit_kinds: break;
     }
     return false;
 }
@@ -127,24 +125,17 @@ static inline void implicit_shot(const implicit_subject *u, uint64_t seed, impli
     }
 }
 
-/* All roots of a ray that was clipped; false: there is no polynomial, or 32 digits cannot tell. */
 static inline bool implicit_truth_of(const implicit_subject *u, ray r, implicit_truth *out)
 {
+    *out = (implicit_truth){0, 0};
+    if (u->name > IMPLICIT_BARTH) return false;
+    if (!implicit_clip(&u->s, &r)) return true;
     double a = (double)r.tmin, b = (double)r.tmax, at = a / 2 + b / 2;
-    if (u->name > IMPLICIT_BARTH || !(b > a)) return false;
+    if (!(b > a)) return false;
     implicit_poly p = u->name == IMPLICIT_SPHERE ? implicit_poly_sphere(implicit_radius, r, at)
                     : u->name == IMPLICIT_BARTH ? implicit_poly_barth(r, at)
                     : implicit_poly_torus(implicit_tube, r, at);
     return implicit_oracle(&p, a, b, at, out);
-}
-
-static inline int implicit_due(const implicit_subject *u, ray r, double *t)
-{
-    implicit_truth truth;
-    if (u->name <= IMPLICIT_BARTH && !implicit_clip(&u->s, &r)) return 0;
-    if (!implicit_truth_of(u, r, &truth)) return -1;
-    *t = truth.first;
-    return truth.roots > 0;
 }
 
 /* A surface that counts its calls, this thread's. */
@@ -184,18 +175,18 @@ static inline void implicit_judge(const implicit_surveying *y, size_t i, implici
 {
     ray r;
     hit h = hit_none;
-    double due = 0;
+    implicit_truth due;
     implicit_surface counted = implicit_counted(&y->u->s);
     implicit_shot(y->u, y->seed, y->aim, i, &r);
-    int is_due = implicit_due(y->u, r, &due);
+    bool known = implicit_truth_of(y->u, r, &due), is_due = due.roots > 0;
     implicit_calls = 0;
     bool is = implicit_method_hit(y->how, &counted, r, &h);
     out->calls += (double)implicit_calls;
-    if (is_due < 0) { out->unsure++; return; }
-    double later = ((double)h.t - due) * (double)vlength(r.d) / (double)y->u->s.ball.r;
+    if (!known) { out->unsure++; return; }
+    double later = ((double)h.t - due.first) * (double)vlength(r.d) / (double)y->u->s.ball.r;
     bool lost = is_due && !(is && later < 10 * sqrt((double)real_epsilon));
     bool made_up = is && (!is_due || later < -0.05);
-    out->due += (size_t)is_due, out->missed += lost, out->made_up += made_up;
+    out->due += is_due, out->missed += lost, out->made_up += made_up;
     if (is_due && !lost && !made_up) out->off = fmax(out->off, fabs(later));
 }
 
@@ -215,8 +206,7 @@ static inline implicit_survey implicit_survey_of(const implicit_subject *u, impl
     for (int k = 0; k < implicit_batches; k++) {
         const implicit_survey *p = &y.part[k];
         sum.missed += p->missed, sum.made_up += p->made_up, sum.calls += p->calls;
-        sum.due += p->due, sum.unsure += p->unsure;
-        sum.off = fmax(sum.off, p->off);
+        sum.due += p->due, sum.unsure += p->unsure, sum.off = fmax(sum.off, p->off);
     }
     sum.missed *= 100 / (double)n, sum.made_up *= 100 / (double)n, sum.calls /= (double)n;
     return sum;
