@@ -21,7 +21,7 @@
 #include "../scenes/icosphere.h"
 
 typedef bool triangle_method(triangle tri, ray r, hit *out);
-typedef struct { size_t rays, slips, hits; double error; } triangle_slip_count;
+typedef struct { size_t slips, hits; double error; } triangle_slip_count;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -31,24 +31,20 @@ static inline vec3 slip_origin(random_stream *g, vec3 centre, real radius)
     return vadd(centre, random_in_cube(g, radius / 4));
 }
 
-/* One aimed ray, and the triangles that it should hit: round the vertex, or beside the edge. */
-typedef struct { ray r; const uint32_t *near; uint32_t count; } triangle_slip_ray;
-
-static inline triangle_slip_ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g)
+/* One aimed ray; *near: the triangles that it should hit, round the vertex, or beside the edge. */
+static inline ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g,
+                           icosphere_fan *near)
 {
-    triangle_slip_ray s;
-    vec3 o = slip_origin(g, m->centre, m->radius), aim;
+    vec3 o = slip_origin(g, m->centre, m->radius);
     uint32_t k = (uint32_t)(random_next_bits(g) >> 32);
     if (at_vertex) {
-        k %= m->vertices, s.near = m->fan[k].triangle, s.count = m->fan[k].count;
-        aim = m->v[k];
-    } else {
-        k %= m->edges, s.near = m->edge[k].triangle, s.count = 2;
-        vec3 p = m->v[m->edge[k].p], q = m->v[m->edge[k].q];
-        aim = vmadd(p, vsub(q, p), random_next(g));
+        *near = m->fan[k % m->vertices];
+        return ray_from(o, vsub(m->v[k % m->vertices], o));
     }
-    s.r = ray_from(o, vsub(aim, o));
-    return s;
+    icosphere_edge e = m->edge[k % m->edges];
+    *near = (icosphere_fan){2, {e.triangle[0], e.triangle[1]}};
+    vec3 p = m->v[e.p], q = m->v[e.q], aim = vmadd(p, vsub(q, p), random_next(g));
+    return ray_from(o, vsub(aim, o));
 }
 
 static inline bool slip_misses_all(const icosphere *m, triangle_method *method, ray r)
@@ -64,19 +60,20 @@ static inline bool slip_misses_all(const icosphere *m, triangle_method *method, 
 static inline triangle_slip_count slips(const icosphere *m, triangle_method *method, bool at_vertex,
                                         size_t n, uint64_t seed)
 {
-    triangle_slip_count count = {n, 0, 0, 0};
+    triangle_slip_count count = {0, 0, 0};
     random_stream g = random_start(seed, at_vertex, 0);
     for (size_t i = 0; i < n; i++) {
-        triangle_slip_ray s = slip_aim(m, at_vertex, &g);
+        icosphere_fan near;
+        ray r = slip_aim(m, at_vertex, &g, &near);
         size_t before = count.hits;
-        for (uint32_t j = 0; j < s.count; j++) {
+        for (uint32_t j = 0; j < near.count; j++) {
             hit h;
-            if (!method(icosphere_triangle(m, s.near[j]), s.r, &h)) continue;
+            if (!method(icosphere_triangle(m, near.triangle[j]), r, &h)) continue;
             double error = fabs((double)h.t - 1);
             if (!(error <= count.error)) count.error = error;
             count.hits++;
         }
-        if (count.hits == before) count.slips += slip_misses_all(m, method, s.r);
+        if (count.hits == before) count.slips += slip_misses_all(m, method, r);
     }
     return count;
 }

@@ -15,28 +15,26 @@
 #include "mine.h"
 #include "triangle_variants.h"
 
-enum { soup_triangles = 512, soup_most_rays = 400 };
+enum { soup_triangles = 512, soup_rays = 400, soup_timed = 100 };
 typedef struct {
     triangle tri[soup_triangles];
     triangle_planes planes[soup_triangles];
-    ray r[soup_most_rays];
-    int rays;
+    ray r[soup_rays];  /* of which the first soup_timed are timed */
 } triangle_soup;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* rays: at most 400. Edges about 0.5 long in a cube of side 2, rays from a cube of side 4. */
-static inline triangle_soup *soup_new(int rays, uint64_t seed)
+/* Edges about 0.5 long in a cube of side 2, rays from a cube of side 4. */
+static inline triangle_soup *soup_new(uint64_t seed)
 {
     triangle_soup *s = allocate(1, sizeof *s);
     random_stream g = random_start(seed, 9, 0);
-    s->rays = rays;
     for (int i = 0; i < soup_triangles; i++) {
         vec3 m = random_in_cube(&g, 1), a = random_in_cube(&g, 0.5), b = random_in_cube(&g, 0.5);
         s->tri[i] = (triangle){vadd(m, a), vadd(m, b), vadd(m, random_in_cube(&g, 0.5))};
         s->planes[i] = triangle_planes_of(s->tri[i]);
     }
-    for (int i = 0; i < rays; i++) {
+    for (int i = 0; i < soup_rays; i++) {
         vec3 from = random_in_cube(&g, 2);
         s->r[i] = ray_from(from, random_in_cube(&g, 1));
     }
@@ -51,7 +49,7 @@ static inline triangle_soup *soup_new(int rays, uint64_t seed)
     {                                                                                          \
         const triangle_soup *s = context;                                                      \
         double sum = 0;                                                                        \
-        for (int i = 0; i < s->rays; i++) {                                                    \
+        for (int i = 0; i < soup_timed; i++) {                                                 \
             ray r = s->r[i];                                                                   \
             hit h = hit_none;                                                                  \
             prepare;                                                                           \
@@ -73,7 +71,6 @@ SOUP_TIMED(run_sheared, ray_shear z = shear_of(r),
            triangle_hit_corners(&k->a, &k->b, &k->c, &z, r, &h))
 SOUP_TIMED(run_mine, (void)0, mine_triangle_hit(*k, r, &h))
 
-/* With the shear kept, only the time is another. */
 enum { triangle_methods = 8 + triangle_mine };
 static const struct {
     const char *name;
@@ -100,7 +97,6 @@ static inline void triangle_cell(size_t i, void *context)
     const options *o = all->o;
     size_t k = i / 3, c = i % 3, few = o->quick ? 500 : 10000;
     double *cell = all->cell[k];
-    if (k > 0 && method[k].hit == method[k - 1].hit) return;  /* it has the cells of that row */
     if (c == 2) { cell[3] = triangle_needles(method[k].hit, 1e-6, few, o->seed).error; return; }
     /* who never slips gets more rays; with --full a million */
     size_t many = o->full ? 1000000 : 100000;
@@ -119,16 +115,15 @@ static inline void triangle_main_table(const options *o)
     triangle_rows all = {.o = o, .m = icosphere_new(4, (vec3){0, 0, 0}, 1)};
     parallel_whole(3 * triangle_methods, o->threads, "rays", triangle_cell, &all);
     icosphere_free(&all.m);
-    triangle_soup *s = soup_new(o->quick ? 20 : 100, o->seed);
+    triangle_soup *s = soup_new(o->seed);
     bench_candidate timed[triangle_methods];
     for (int k = 0; k < triangle_methods; k++)
         timed[k] = (bench_candidate){.run = method[k].run, .context = s};
     bench_time(timed, triangle_methods, o->quick ? 3 : o->full ? 41 : 15);
     for (int k = 0; k < triangle_methods; k++) {
-        const double *cell = all.cell[k > 0 && method[k].hit == method[k - 1].hit ? k - 1 : k];
         table_text(&t, "%s", method[k].name);
-        for (int c = 0; c < 4; c++) table_number(&t, cell[c]);
-        table_number(&t, 1e9 * timed[k].seconds / (soup_triangles * s->rays));
+        for (int c = 0; c < 4; c++) table_number(&t, all.cell[k][c]);
+        table_number(&t, 1e9 * timed[k].seconds / (soup_triangles * soup_timed));
     }
     free(s);
     output_table(o, &t);
@@ -156,15 +151,15 @@ cold_inline void triangle_plot_slips(const options *o)
 static inline void triangle_effort_table(const options *o)
 {
     size_t before = triangle_doubts, divided = 0;
-    triangle_soup *u = soup_new(400, o->seed);
-    for (int i = 0; i < u->rays; i++) {
+    triangle_soup *u = soup_new(o->seed);
+    for (int i = 0; i < soup_rays; i++) {
         ray line = {u->r[i].o, -real_infinity, u->r[i].d, real_infinity};
         hit h;
         for (int k = 0; k < soup_triangles; k++) divided += triangle_hit(u->tri[k], line, &h);
     }
     table t = table_new("What the watertight test computes: triangles anywhere, rays anywhere",
                         "tests|signs agree: divided|exact signs");
-    table_count(&t, (size_t)u->rays * soup_triangles), table_count(&t, divided);
+    table_count(&t, soup_rays * soup_triangles), table_count(&t, divided);
     table_count(&t, triangle_doubts - before);
     free(u);
     output_extra_table(o, &t);
