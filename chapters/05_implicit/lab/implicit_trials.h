@@ -8,8 +8,8 @@
  *       IMPLICIT_ANYWHERE   at a point of the ball
  *       IMPLICIT_GRAZING    past a point of the surface, at a right angle to the normal there, from
  *                           1e-1 to 1e-10 of the ball's radius above or below it
- *   implicit_truth_of(&u, r, &truth)      the oracle: how many roots, and the first; false: there is
- *                                  no polynomial, or 32 digits cannot tell
+ *   implicit_truth_of(&u, r, &truth)      the oracle: how many roots, the first; false: there is no
+ *                                  polynomial, or 32 digits cannot tell
  *   implicit_survey_of(&u, how, seed, kind, n, threads)   n rays by one method, against the oracle
  *
  *   missed    rays that have a root and miss it, or hit a later one: 10 sqrt(epsilon) B later or
