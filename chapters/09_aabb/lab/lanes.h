@@ -12,13 +12,11 @@
  *   aabb_lanes l = aabb_lanes_of(r);        once a ray
  *   unsigned mask = aabb8_hit(&group, &l, t_enter);    bit k: box k is hit, not before the float
  *                                           t_enter[k]; that of a box that is missed says nothing
- *   l.tmax = float_above(t);                once something was hit at t
  *   aabb4, aabb4_hit                        four boxes; 24 bytes a box in both
  *
  * As in aabb.h: never a false negative, and t_enter[k] is never behind the exact one. A float has
  * 24 bits: what passes a box by some 1e-6 of its distance, or of the coordinates, may be reported.
- * Coordinates up to 1e38. A component of d whose inverse is no normal float says nothing; if none
- * of the three says anything, even empty boxes are hit.
+ * Coordinates up to 1e38; a component of d whose inverse is no normal float says nothing.
  *
  * Source: I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IRT 2008 (boxes side by side).
  */

@@ -1,5 +1,4 @@
-/* slabs.h: other slab tests, with one signature, and what each of them loses; aabb_hit of aabb.h is
- * the one to use.
+/* slabs.h: other slab tests, with the signature of aabb_hit, and what each of them loses.
  *
  *                             input where it misses a box that the ray meets
  *   first_aabb_hit (first.h)  flat box: t_enter = t_exit; contact at t = 0; and the next line. It
@@ -8,10 +7,8 @@
  *                             quotients stay equal when rounded, such products need not
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
  *   aabb_hit_ize              none but at t < 0: it widens the exit by 2 ulp = 4 u, u = epsilon/2
- *   aabb_hit                  none; widens the entry by 16 u, towards -infinity
  *
- * t_enter as in aabb.h, but only aabb_hit and lanes.h pad it; that of the others is rounded to
- * nearest, so it may lie an ulp or two behind the exact one.
+ * Their t_enter is rounded to nearest, so it may lie an ulp or two behind the exact one.
  *
  *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray, of kept and
  *                                  ize; the others divide
@@ -41,8 +38,7 @@ static inline bool aabb_hit_closed(aabb b, ray r, real *t_enter)
     return true;
 }
 
-/* The others multiply by 1/d, once a ray, and take it from here: as it comes, without the care of
- * aabb_inverse_of for tiny and huge d. */
+/* As it comes, without the care of aabb_inverse_of for tiny and huge d. */
 static inline aabb_inverse aabb_plain_inverse(ray r)
 {
     vec3 i = {1 / r.d.x, 1 / r.d.y, 1 / r.d.z};
