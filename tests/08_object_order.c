@@ -250,14 +250,6 @@ static int seen_before(real z, real gap)
     return near_ones;
 }
 
-/* What floats tell at depth z, near = 0.01, as a share of z: (8.5), dx from one float to the next;
- * usual: of 1 - near / z, else of near / z, as raster.h stores it. */
-static double depth_gap(bool usual, double z)
-{
-    float x = (float)(usual ? 1 - 0.01 / z : 0.01 / z);
-    return z / 0.01 * (double)(nextafterf(x, 2) - x);
-}
-
 /* The least gap that the raster tells at z, as a share of z, by halving. */
 static double gap_told(double z)
 {
@@ -269,27 +261,16 @@ static double gap_told(double z)
     return told;
 }
 
-/* A whole step of (8.5) is told, and two roundings in real beside it; a 16th of one only where the
- * end of a step happens to lie between, one in 16, or in 8 where steps are half as long. As was
- * usual, 1 - near / z: from 1e3 on walls a hundred such steps apart are the same number. */
+/* Floats hold near / z, near = 0.01, to an epsilon of themselves; as was usual, 1 - near / z: (8.5)
+ * with dx from one float to the next. */
 static void test_depths(void)
 {
-    random_stream g = random_start(4, 0, 0);
-    size_t n = check_count(2000), lost = 0, told = 0, same = 0;
-    for (size_t i = 0; i < n; i++) {
-        double z = pow(10, 4 * (double)random_next(&g) - 1), gap = depth_gap(false, z);
-        lost += seen_before((real)z, (real)(z * (2 * gap + 16 * (double)real_epsilon))) < 64;
-        told += seen_before((real)z, (real)(z * gap / 16)) == 64;
-        z = 1e3 + z;
-        same += (float)(1 - 0.01 / z) == (float)(1 - 0.01 / (z * (1 + 100 * gap)));
-    }
-    check_equal(lost, 0, "walls more than a step apart that are not told, of %zu", n);
-    check_at_most((double)told, 0.2 * (double)n, "and a 16th of a step: told");
-    check_at_least((double)same, 0.9 * (double)n, "1 - near / z: a hundred steps are one number");
-    check_close(depth_gap(true, 1e3), 0.006, 1e-4, "at 1e5 near: a gap of 0.6 %% of z");
     for (double far = 0.1; far < 2e4; far *= 10)
         check_at_most(gap_told(far), 1.2e-7 + 16 * (double)real_epsilon,
                       "walls at %g: told from an epsilon of float on", far);
+    float usual = (float)(1 - 0.01 / 1e3);
+    check_close(1e3 / 0.01 * (double)(nextafterf(usual, 2) - usual), 0.006, 1e-4,
+                "at 1e5 near: a gap of 0.6 %% of z");
 }
 
 /* ---------------------------------------------------------------------------------------------- */
