@@ -244,7 +244,7 @@ static void test_nff(void)
         check(same(s.view.from, (vec3){3, 0, 1}) && same(s.view.at, (vec3){3, 4, 1})
               && same(s.view.up, (vec3){0, 0, 1}) && s.view.angle == 45
               && s.view.hither == (real)0.5, "view");
-        check(same(s.sky.background, vec(0.5, 0.25, 0.125)) && s.sky.kind == SKY_NONE, "background");
+        check(same(s.sky.background, vec(0.5, 0.25, 0.125)) && s.sky.kind == SKY_NONE, "behind");
         check(s.lights == 2 && same(s.light[1].light.at, (vec3){3, 4, 3}), "lights");
         for (int l = 0; l < 2; l++) {  /* (27.4): E / pi at `at` is 1 / (2 sqrt 2), as in 1987 */
             real D2 = l ? 4 : 25;
