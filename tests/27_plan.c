@@ -218,7 +218,6 @@ static void test_effects(void)
     }
 }
 
-/* A mesh of two triangles, the first without a material, and a third material with none. */
 /* A reason ends with the line that it is about, if it is about one. */
 static void test_reasons(void)
 {
@@ -236,6 +235,7 @@ static void test_reasons(void)
     }
 }
 
+/* A mesh of two triangles, the first without a material, and a third material with none. */
 static void test_finish(void)
 {
     const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 4}};

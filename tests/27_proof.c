@@ -371,9 +371,22 @@ static void test_promise(void)
 
 /* ---- holes, planted ---- */
 
-static bool always(const plan_facts *q, cite *line) { return (void)q, (void)line, true; }
+/* A rule in the place of another, by what it asks. */
+#define HOLE(name, test)                                  \
+    static bool name(const plan_facts *q, cite *line)     \
+    {                                                     \
+        (void)q, (void)line;                              \
+        return test;                                      \
+    }
+HOLE(always, true)
 
 /* Rules that a tired programmer might have written. */
+HOLE(looks_at_first_light,
+     !q->s->lights || vzero(q->s->light[q->s->lights - 1].light.colour))
+HOLE(thinks_matte_is_lit, !q->has[RAY_SCATTERED].n)
+HOLE(forgets_points, !q->s->emitters && !q->around)  /* what 27 once did */
+HOLE(forgets_the_sky, !q->s->emitters && !q->lights)
+
 static bool forgets_suns(const plan_facts *q, cite *line)
 {
     (void)line;
@@ -382,36 +395,12 @@ static bool forgets_suns(const plan_facts *q, cite *line)
     return true;
 }
 
-static bool looks_at_first_light(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->s->lights || vzero(q->s->light[q->s->lights - 1].light.colour);
-}
-
-static bool thinks_matte_is_lit(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[RAY_SCATTERED].n;
-}
-
 static bool forgets_meshes(const plan_facts *q, cite *line)
 {
     (void)line;
     for (size_t i = 0; i < q->s->emitters; i++)
         if (q->s->emitter[i].place == no_shape) return false;
     return true;
-}
-
-static bool forgets_points(const plan_facts *q, cite *line)  /* what 27 once did */
-{
-    (void)line;
-    return !q->s->emitters && !q->around;
-}
-
-static bool forgets_the_sky(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->s->emitters && !q->lights;
 }
 
 /* As if the scene had none of these: a part of a rule that was left out. */
@@ -454,26 +443,10 @@ static size_t reflecting(const plan_facts *q, size_t flat, size_t folded, size_t
     return n;
 }
 
-static bool counts_polygons_alone(const plan_facts *q, cite *line)
-{
-    return (void)line, reflecting(q, 1, 2, 0) < 2;
-}
-
-/* It may be seen from within. */
-static bool takes_a_ball_for_a_plane(const plan_facts *q, cite *line)
-{
-    return (void)line, reflecting(q, 1, 2, 1) < 2;
-}
-
-static bool takes_two_planes_for_one(const plan_facts *q, cite *line)
-{
-    return (void)line, reflecting(q, 0, 2, 2) < 2;
-}
-
-static bool takes_all_polygons_for_planes(const plan_facts *q, cite *line)
-{
-    return (void)line, reflecting(q, 1, 1, 2) < 2;
-}
+HOLE(counts_polygons_alone, reflecting(q, 1, 2, 0) < 2)
+HOLE(takes_a_ball_for_a_plane, reflecting(q, 1, 2, 1) < 2)  /* it may be seen from within */
+HOLE(takes_two_planes_for_one, reflecting(q, 0, 2, 2) < 2)
+HOLE(takes_all_polygons_for_planes, reflecting(q, 1, 1, 2) < 2)
 
 static bool looks_at_first_material(const plan_facts *q, cite *line)
 {

@@ -4,14 +4,8 @@
  *   explain_why(&p, k).text          why effect k got its verdict: the rule, or what calls for it
  *   explain_warnings(stderr, &s)     what nobody should miss: a library that is not there, no thing
  *
- *   scene        what there is, and from where
- *   camera, lens, light   by file and line, or how they were found
- *   plan         path tracing, because of: ...
- *     called for    soft shadows    2 faces, the first of material 'lamp' (room.scene:12) on ...
- *     cannot occur  mirror          no material in use reflects sharply ...
- *     declined      indirect light  `indirect off` (room.scene:2)
- *   materials    each with its line, its illum and the effects that a hit of it has a part in
- *   notes        what was read but not understood
+ * What there is; camera, lens, light by file and line; the plan, each effect with its reason;
+ * materials, with the effects that a hit of them has a part in; what was read but not understood.
  */
 #ifndef EFFECTS_EXPLAIN_H
 #define EFFECTS_EXPLAIN_H
