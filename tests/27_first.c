@@ -14,7 +14,7 @@ enum { most_depth = 40 };
 static const first_material matte = {.kd = {(real)0.5, (real)0.6, (real)0.7}};
 static const first_material silver = {.mirror = {(real)0.9, (real)0.9, (real)0.9}};
 static const first_material glass = {.ior = (real)1.5};
-static const first_material lamp = {.ke = {3, 2, 1}};
+static const first_material lamp = {.ke = {3, 2, 1}}, shines = {.ke = {1, 1, 1}};
 
 static first_scene sky(void)
 {
@@ -33,42 +33,36 @@ static void add_floor(first_scene *s, first_material m)
     first_add_flat(s, vec(-3, 0, 3), vec(6, 0, 0), vec(0, 0, -6), m);
 }
 
-static void add_light(first_scene *s)
-{
-    s->light[s->lights++] = (first_light){vec(2, 4, 3), vec(20, 20, 20)};
-}
-
 enum { EMPTY, BALL, FLOOR_BALL, MIRROR, GLASS, ONLY_LAMP, LAMP_FLOOR, LAMP_WALLS, LAMP_MIRROR,
        LAMP_FLOOR_MIRROR, BALL_SHINES, BOX, scenes };
-static const char *const scene_name[scenes] = {
-    "nothing", "a ball, a point light", "floor, ball, point light", "a mirror ball",
-    "a glass ball", "a lamp alone", "a lamp and a floor", "a lamp, floor and ball",
-    "a lamp and a mirror", "a lamp, a floor, a mirror", "a ball that shines", "the Cornell box"};
-
-/* shadow rays, mirror rays, glass, points of a lamp, bounces */
-static const bool called[scenes][first_effects] = {
-    [FLOOR_BALL] = {1, 0, 0, 0, 0}, [MIRROR] = {0, 1, 0, 0, 0}, [GLASS] = {0, 0, 1, 0, 0},
-    [ONLY_LAMP] = {0, 0, 0, 1, 0}, [LAMP_FLOOR] = {0, 0, 0, 1, 0}, [LAMP_WALLS] = {0, 0, 0, 1, 1},
-    [LAMP_MIRROR] = {0, 1, 0, 1, 0}, [LAMP_FLOOR_MIRROR] = {0, 1, 0, 1, 1},
-    [BOX] = {0, 0, 0, 1, 1}};
+static const struct {
+    const char *name;
+    bool lamp, light, floor;
+    const first_material *ball;
+    bool called[first_effects];  /* shadow rays, mirror rays, glass, points of a lamp, bounces */
+} list[scenes] = {
+    [EMPTY] = {.name = "nothing"},
+    [BALL] = {"a ball, a point light", false, true, false, &matte, {0}},
+    [FLOOR_BALL] = {"floor, ball, point light", false, true, true, &matte, {1, 0, 0, 0, 0}},
+    [MIRROR] = {"a mirror ball", false, false, false, &silver, {0, 1, 0, 0, 0}},
+    [GLASS] = {"a glass ball", false, false, false, &glass, {0, 0, 1, 0, 0}},
+    [ONLY_LAMP] = {"a lamp alone", true, false, false, NULL, {0, 0, 0, 1, 0}},
+    [LAMP_FLOOR] = {"a lamp and a floor", true, false, true, NULL, {0, 0, 0, 1, 0}},
+    [LAMP_WALLS] = {"a lamp, floor and ball", true, false, true, &matte, {0, 0, 0, 1, 1}},
+    [LAMP_MIRROR] = {"a lamp and a mirror", true, false, false, &silver, {0, 1, 0, 1, 0}},
+    [LAMP_FLOOR_MIRROR] = {"a lamp, a floor, a mirror", true, false, true, &silver,
+                           {0, 1, 0, 1, 1}},
+    [BALL_SHINES] = {"a ball that shines", false, false, false, &shines, {0}},
+    [BOX] = {.name = "the Cornell box", .called = {0, 0, 0, 1, 1}}};
 
 static first_scene scene_of(int which)
 {
     first_scene s = sky();
-    first_material shines = {.ke = vec(1, 1, 1)};
-    vec3 c = vec(0, 1, 0);
     if (which == BOX) return first_cornell();
-    if (which == BALL_SHINES) first_add_ball(&s, c, 1, shines);
-    if (which >= ONLY_LAMP && which <= LAMP_FLOOR_MIRROR) add_lamp(&s);
-    if (which == BALL || which == FLOOR_BALL) add_light(&s);
-    if (which == FLOOR_BALL || which == LAMP_FLOOR || which == LAMP_WALLS
-        || which == LAMP_FLOOR_MIRROR)
-        add_floor(&s, matte);
-    if (which == BALL || which == FLOOR_BALL || which == LAMP_WALLS)
-        first_add_ball(&s, c, 1, matte);
-    if (which == MIRROR || which == LAMP_MIRROR || which == LAMP_FLOOR_MIRROR)
-        first_add_ball(&s, c, 1, silver);
-    if (which == GLASS) first_add_ball(&s, c, 1, glass);
+    if (list[which].lamp) add_lamp(&s);
+    if (list[which].light) s.light[s.lights++] = (first_light){vec(2, 4, 3), vec(20, 20, 20)};
+    if (list[which].floor) add_floor(&s, matte);
+    if (list[which].ball) first_add_ball(&s, vec(0, 1, 0), 1, *list[which].ball);
     return s;
 }
 
@@ -97,9 +91,9 @@ static void test_rules(void)
         memset(first_rays, 0, sizeof first_rays);
         for (uint64_t i = 0; i < 2000; i++) planned(&s, &p, eye_ray(k, i), i);
         for (int e = 0; e < first_effects; e++) {
-            check(p.on[e] == called[k][e], "%s: %s", scene_name[k], first_effect_name[e]);
+            check(p.on[e] == list[k].called[e], "%s: %s", list[k].name, first_effect_name[e]);
             check(p.because[e] && p.because[e][0], "%s: a reason", first_effect_name[e]);
-            check((first_rays[e] > 0) == called[k][e], "%s: %s, %ld rays", scene_name[k],
+            check((first_rays[e] > 0) == list[k].called[e], "%s: %s, %ld rays", list[k].name,
                   first_effect_name[e], first_rays[e]);
         }
     }
@@ -122,7 +116,7 @@ static void test_nothing_is_lost(void)
             vec3 a = planned(&s, &p, r, i), b = planned(&s, &all, r, i);
             differ += memcmp(&a, &b, sizeof a) != 0;
         }
-        check_equal(differ, 0, "%s: rays of %zu that see another colour", scene_name[k], n);
+        check_equal(differ, 0, "%s: rays of %zu that see another colour", list[k].name, n);
     }
 }
 
