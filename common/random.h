@@ -27,7 +27,7 @@ typedef struct { uint64_t key, dimension; } random_stream;
 
 /* ---------------------------------------------------------------------------------------------- */
 /* A bijection of 64-bit words in which every input bit changes each output bit half of the time. */
-static inline uint64_t random_mix(uint64_t x)
+fast_inline uint64_t random_mix(uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;

@@ -51,7 +51,7 @@ static inline vec3 sample_turn(real r, real z, real v)
 /* cos and sin of x, |x| <= pi / 4, within epsilon, by polynomials: libm's, which first reduce any
  * angle, take 3 % more of all instructions of 26. Source of the factors: Sun Microsystems, fdlibm,
  * k_sin.c and k_cos.c, 1993. */
-static inline void sample_angle(real x, real *cosine, real *sine)
+fast_inline void sample_angle(real x, real *cosine, real *sine)
 {
     static const double a[6] = {1.58969099521155010221e-10, -2.50507602534068634195e-08,
                                 2.75573137070700676789e-06, -1.98412698298579493134e-04,
@@ -67,7 +67,7 @@ static inline void sample_angle(real x, real *cosine, real *sine)
 
 /* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
  * Which of the two is larger is an index, not a branch, which nobody could predict. */
-static inline vec3 sample_disk(real u, real v)
+fast_inline vec3 sample_disk(real u, real v)
 {
     real ab[2] = {2 * u - 1, 2 * v - 1}, xy[2];
     int flat = fabs(ab[0]) > fabs(ab[1]);
@@ -121,7 +121,7 @@ static inline real pdf_hemisphere(vec3 w) { return w.z > 0 ? 1 / (2 * pi) : 0; }
 
 /* A unit disk lifted to the hemisphere: d omega cos = dA. Its edge (u or v = 0) would have the pdf
  * 0, and f / pdf would be 0/0: z stays above 0. */
-static inline vec3 sample_cosine(real u, real v)
+fast_inline vec3 sample_cosine(real u, real v)
 {
     vec3 w = sample_disk(u, v);
     real r = real_max(fabs(2 * u - 1), fabs(2 * v - 1));

@@ -61,7 +61,7 @@ fast_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
     return random_mix(d->own ^ random_mix(random_step * (node * (uint64_t)64 + number + 1)));
 }
 
-static inline real dice_number(const dice *d, uint32_t node, dice_purpose purpose)
+fast_inline real dice_number(const dice *d, uint32_t node, dice_purpose purpose)
 {
     return random_real_of(dice_bits(d, node, purpose));
 }
@@ -71,7 +71,7 @@ static inline random_stream dice_stream(const dice *d, uint32_t node)
     return (random_stream){dice_bits(d, node, dice_row), 0};
 }
 
-static inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_purpose purpose)
+fast_inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_purpose purpose)
 {
     if (depth > dice_depth) {
         real u = random_real_of(dice_bits(d, node, dice_purposes + 2 * (uint32_t)purpose));
