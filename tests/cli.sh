@@ -267,6 +267,9 @@ for name in 07_mesh 10_grid 11_octree 12_kdtree 13_bsp 14_bvh 15_wide_bvh 17_com
         run 0 --quick --size 8x6 pile.obj; tells out "1 samples a pixel instead of 4"
         run 0 --quick --size 8x6 --samples 2 pile.obj
         if grep -q "instead of" out; then no "--samples is not heeded"; else ok; fi ;;
+    27_effects)
+        run 0 --quick --size 8x6 --samples 3; tells out "^# 3 samples a pixel"
+        run 2 in.obj --mesh point.obj; says "in.obj and point.obj: one file at a time" ;;
     esac
 done
 # What holds many of them (together.sh), called by a name that is none of theirs.

@@ -202,6 +202,8 @@ static void test_inputs_and_outputs(void)
         {{{"--hits", "/dev/null", "--csv", "/dev/null"}}, "- - /dev/null /dev/null", ""},
         {{{"none.obj"}}, "", "none.obj: no such file"},
         {{{"model.obj", "rays"}}, "", "model.obj and rays: one file at a time"},
+        {{{"model.obj", "--mesh=rays"}}, "", "model.obj and rays: one file at a time"},
+        {{{"--mesh", "rays", "--mesh", "model.obj"}}, "", "rays and model.obj: one file at a time"},
         {{{"--quick", "--full"}}, "", "--quick and --full"},
         {{{"model.obj", "--csv", "model.obj"}}, "", "--csv model.obj: is the file of --mesh"},
         {{{"model.obj", "--csv", "./model.obj"}}, "", "is the file of --mesh"},

@@ -39,7 +39,7 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
                              (options){.width = 400, .height = 300, .samples = -1,
                                        .quick_width = 120, .quick_height = 90}, own);
-    o.own = request_own(&q);
+    o.own = request_own(&q) || o.samples > 0;
     if (!o.out && !o.own && !(draw_six(&o, false) && (!o.full || draw_six(&o, true))))
         die(parallel_stopped(), "stopped");
     if (request_is_short(&o)) return output_done(&o);
