@@ -82,9 +82,12 @@ static inline const char **option_place(const option *o)
     return at;
 }
 
-/* Stores the value of one option; false if it can't be read or is out of range. */
+/* Stores the value of one option, a file to read once; false: it can't be read, or out of range. */
 static inline bool option_store(const option *o, const char *text)
 {
+    if (o->kind == OPTION_INPUT && *option_place(o))
+        die(2, o->highest > 1 ? "%.200s and %.200s: at most %g files"
+            : "%.200s and %.200s: one file at a time", *option_place(o), text, o->highest);
     if (o->kind == OPTION_TEXT || o->kind >= OPTION_INPUT)
         return *option_place(o) = text, *text != 0;
     const char *end;
@@ -118,15 +121,6 @@ static inline const option *option_input(const option *own)
     return own;
 }
 
-/* A file to read is named once, with or without its option: what comes second would hide the first
- * without a word. */
-static inline void option_once(const option *o, const char *name)
-{
-    if (o->kind == OPTION_INPUT && *option_place(o))
-        die(2, o->highest > 1 ? "%.200s and %.200s: at most %g files"
-            : "%.200s and %.200s: one file at a time", *option_place(o), name, o->highest);
-}
-
 /* Reads the word argv[i] and its value; returns the index of the last argument used. */
 cold_inline int option_read(const option *lists[2], int argc, char **argv, int i)
 {
@@ -138,14 +132,13 @@ cold_inline int option_read(const option *lists[2], int argc, char **argv, int i
     if (!o) die(2, "%.200s: this program reads no file (see --help)", word);
     if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
         die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
-    if (word[0] != '-') return option_once(o, word), *option_place(o) = word, i;
+    if (word[0] != '-') return option_store(o, word), i;
     if (o->kind == OPTION_FLAG) {
         if (value) die(2, "--%s takes no value: %.200s", o->name, word);
         return *(bool *)o->value = true, i;
     }
     if (value) value++;
     else if (i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0) value = argv[++i];
-    if (value) option_once(o, value);
     if (value && option_store(o, value)) return i;
     if (o->lowest < o->highest)
         snprintf(range, sizeof range, " from %.16g to %.16g", o->lowest, o->highest);

@@ -98,35 +98,25 @@ static inline bool square_is_safe(real aa)
     return aa > real_smallest / (real_epsilon * real_epsilon) && aa < real_largest;
 }
 
-/* As exact as where squares are safe: the length of 2^k a is 2^k |a| to the last bit. */
-cold_inline real vlength_rare(vec3 a)
-{
-    int e;
-    if (!vfinite(a) || vzero(a)) return sqrt(vdot(a, a));
-    a = vscaled(a, &e);
-    return ldexp(sqrt(vdot(a, a)), e);
-}
-
 fast_inline real vlength(vec3 a)
 {
     real aa = vdot(a, a);
-    return square_is_safe(aa) ? sqrt(aa) : vlength_rare(a);  /* a NaN is rare, too */
-}
-
-cold_inline vec3 vunit_rare(vec3 a)
-{
     int e;
-    if (!vfinite(a) || vzero(a)) return (vec3){0, 0, 0};
-    a = vscaled(a, &e);
-    return vscale(a, 1 / sqrt(vdot(a, a)));
+    if (square_is_safe(aa) || !vfinite(a) || vzero(a)) return sqrt(aa);
+    a = vscaled(a, &e);  /* as exact as above: the length of 2^k a is 2^k |a| to the last bit */
+    return ldexp(sqrt(vdot(a, a)), e);
 }
 
-/* Length 1 within 2.25 epsilon; 0 for 0, and for what is not finite. Cost: one square root and one
- * division. */
+/* Length 1 within 2.25 epsilon. Cost: one square root and one division. */
 fast_inline vec3 vunit(vec3 a)
 {
     real aa = vdot(a, a);
-    return square_is_safe(aa) ? vscale(a, 1 / sqrt(aa)) : vunit_rare(a);
+    if (!square_is_safe(aa)) {  /* rare: written so that a NaN comes here too */
+        int e;
+        if (!vfinite(a) || vzero(a)) return (vec3){0, 0, 0};
+        a = vscaled(a, &e), aa = vdot(a, a);
+    }
+    return vscale(a, 1 / sqrt(aa));
 }
 
 /* s, t, n: orthonormal within 4 epsilon for every unit n, whatever the signs of its zeros.

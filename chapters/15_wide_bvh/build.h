@@ -6,10 +6,9 @@
  *   2. A binary tree, by the builder of 14; but a leaf costs as many tests as it has blocks: a cut
  *      into L and R,
  *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)                                  (15.4)
- *      Large sets are cut first, by one: the children of a cut between items p - 1 and p are nodes
- *      2 p and 2 p + 1. What is small is a job for whoever comes; that of the items from p on takes
- *      nodes 2 p + 2, 2 p + 3, .., and has no use for more than there are to the next. Places
- *      depend on the items alone, so the tree is the same for any number of threads.
+ *      Large sets are cut first, by one: the children of a cut before item p are nodes 2 p and
+ *      2 p + 1. What is small is a job for whoever comes: from item p on, it takes nodes 2 p + 2,
+ *      2 p + 3, .. These places depend on items alone: any number of threads makes the same tree.
  *   3. Collapse. Which of its nodes remain? Those with the least sum of areas, (15.5) of
  *      MEASURED.md: C(s, j) if s takes up to j places in the node above.
  *   4. Nodes and blocks, in the order of the search: depth first.
@@ -53,14 +52,13 @@ static inline void bvh8_items_job(size_t piece, void *context)
     }
 }
 
-/* Step 2, of one small set. Its nodes lie side by side: scattered, a million took a quarter more. */
+/* Step 2, of one small set. Its nodes lie side by side: scattered, all took a quarter longer. */
 static inline void bvh8_grow_job(size_t i, void *context)
 {
     tree_builder own = *(const tree_builder *)context;
-    const tree_job j = own.job[i];
-    own.tree = &(bvh_tree){.node = own.tree->node, .nodes = 2 * j.begin + 2};
+    own.tree = &(bvh_tree){.node = own.tree->node, .nodes = 2 * own.job[i].begin + 2};
     own.aside = 0;
-    tree_node(&own, j);
+    tree_node(&own, own.job[i]);
 }
 
 /* Step 2. False: stopped. Near the root, on three levels, size counts. */
@@ -73,8 +71,7 @@ static inline bool bvh8_grow(const bvh8_builder *b, int leaf, int threads)
                       .job = allocate(b->n, sizeof *t.job)};
     tree_node(&t, (tree_job){0, 0, b->n, 0});
     bool whole = parallel_for(t.jobs, threads, "tree", bvh8_grow_job, &t);
-    free(t.job);
-    return whole;
+    return free(t.job), whole;
 }
 
 /* ---------------------------------------------------------------------------------------------- */
