@@ -236,8 +236,7 @@ static void stripe_means(int n, int trials, double bias[2], double spread[2])
 
 static void test_bias(void)
 {
-    const size_t least = 100000, asked = check_count(400000);  /* fewer don't give ten sigma */
-    const int n = (int)(asked > least ? asked : least);
+    const int n = (int)check_sample(400000, 100000);  /* fewer don't give ten sigma */
     double bias[4][2], spread[4][2];
     for (int k = 0; k < 4; k++) stripe_means(1 << 2 * k, k ? n / 4 : n, bias[k], spread[k]);
     check_close(bias[0][0], -0.25, 4 * 0.5 / sqrt((double)n), "one ray: 1/2 - 3/4");

@@ -16,12 +16,6 @@ static const struct { const char *name; triangle_method *hit; } methods[] = {
     {"watertight", triangle_hit}};
 enum { method_count = 6 };
 
-/* As check_count, but never so few that a rate says nothing. */
-static size_t count_at_least(size_t n, size_t least)
-{
-    return check_count(n) > least ? check_count(n) : least;
-}
-
 static real random_integer(random_stream *g, int n)
 {
     return floor(random_next(g) * (real)(2 * n + 1)) - (real)n;
@@ -229,7 +223,7 @@ static void test_needles(void)
 {
     for (double width = 1e-1; width > 1e3 * eps; width /= 10) {
         size_t before = triangle_doubts;
-        size_t rays = count_at_least(5000, 2000);
+        size_t rays = check_sample(5000, 2000);
         triangle_needle_count n = triangle_needles(triangle_hit, width, rays, 3);
         if (width < 2e-4)
             check_at_least((double)(triangle_doubts - before), 0.95 * (double)n.due,
@@ -239,7 +233,7 @@ static void test_needles(void)
         check_equal(n.missed, 0, "no needle of width %.0e missed, of %zu", width, n.due);
         triangle_method *const others[] = {first_triangle_hit, triangle_hit_moller_trumbore};
         for (int k = 0; k < 2; k++)
-            check_at_least(triangle_needles(others[k], width, count_at_least(5000, 2000), 3).error,
+            check_at_least(triangle_needles(others[k], width, check_sample(5000, 2000), 3).error,
                            0.1 * eps / width, "%s loses a digit of t a digit of width",
                            methods[k + 1].name);
     }
@@ -380,7 +374,7 @@ static void test_exact_signs(void)
 {
     random_stream g = random_start(9, 0, 0);
     size_t missed = 0, all_zero = 0, wrong = 0;
-    for (size_t i = 0, n = count_at_least(500000, 100000); i < n; i++) {
+    for (size_t i = 0, n = check_sample(500000, 100000); i < n; i++) {
         real x[3], y[3];
         for (int k = 0; k < 3; k++) {
             real s = random_between(&g, -1, 1);
@@ -406,7 +400,7 @@ static void test_exact_signs(void)
         if (zeros == 3) all_zero += inside && area, wrong += got != (inside && area);
     }
     check_equal(missed, 0, "slivers that contain the ray are hit");
-    check_at_least((double)all_zero, 0.0003 * (double)count_at_least(500000, 100000),
+    check_at_least((double)all_zero, 0.0003 * (double)check_sample(500000, 100000),
                    "some of them by their exact signs alone");
     check_equal(wrong, 0, "where plain products are all zero, the answer is the exact one");
 }

@@ -167,7 +167,7 @@ static void test_naive_forms_slip(void)
         {"planes computed beforehand", triangle_hit_planes, 0.08, 0.06},
         {"triple products", triangle_hit_triple, 0.005, 0}};
     icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
-    size_t n = check_count(10000) > 2000 ? check_count(10000) : 2000;
+    size_t n = check_sample(10000, 2000);
     for (int k = 0; k < 5; k++)
         for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
             triangle_slip_count c = slips(&m, naive[k].hit, at_vertex, n, 80);

@@ -838,7 +838,7 @@ static void test_interval(void)
 /* Each has its hard case, and csg_hit none of them. */
 static void test_ways(void)
 {
-    size_t n = check_count(2000) > 200 ? check_count(2000) : 200;  /* some are rare */
+    size_t n = check_sample(2000, 200);  /* some are rare */
     /* far away in float the planes are off by so much that the order is always one */
     const struct { csg_way way; double least; const char *why; } in[csg_sights] = {
         [CSG_OUTSIDE] = {{csg_hit_front, 0}, 0, "t > 0, seen from outside"},
