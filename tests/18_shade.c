@@ -464,9 +464,6 @@ static vec3 printed_ray(tracer *t, ray r, int depth)
     return p.colour;
 }
 
-/* At most `depth` rays behind one another, the camera ray being the first; without that limit it
- * may never end. */
-
 /* On the ground floor of a house each ray towards a sun ends at the ceiling. As printed, that is
  * shaded, by shadow rays of its own, which end at the next: two suns, eight ceilings: 2 + 4 + ... +
  * 256 of them, and the suns shine in. Ours: one a light, and darkness. */

@@ -10,20 +10,16 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/1
 
 int main(int argc, char **argv)
 {
-    int teapot = 0;
     bool all = false;
     const option own[] = {
-        {"teapot", OPTION_INT, &teapot, 1, 200, "cells along each side of its patches"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
         {0}};
     options o = {.width = 800, .height = 450, .seed = 1, .samples = 4,
                  .quick_width = 240, .quick_height = 135, .quick_samples = 1};
     o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.", o, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
-    o.own = teapot;
-    if (!teapot) teapot = o.quick ? 6 : 24;
-    draw_gallery(&o, teapot, all);
-    if (o.out || o.own) return output_done(&o);
+    draw_gallery(&o, all);
+    if (o.out) return output_done(&o);
     draw_acne(&o);
     draw_terminator(&o);
     draw_tilt(&o);

@@ -15,21 +15,18 @@
 
 typedef struct { double self, leak; } leaving_score;  /* per cent */
 
-static inline void leaving_play(departure_kind kind, real size, real T, const options *o,
-                                leaving_score score[leavings])
+static inline leaving_score leaving_play(leaving way, departure_kind kind, real size, real T,
+                                         uint64_t seed, size_t n)
 {
-    departure x;
-    size_t n = o->quick ? 300 : 2000;
+    leaving_score score = {0, 0};
     double one = 100 / (double)n;
-    for (int k = 0; k < leavings; k++) score[k] = (leaving_score){0, 0};
     for (size_t i = 0; i < n; i++) {
-        departure_make(&x, kind, size, T, o->seed, i);
-        real gap = departure_gap(&x);
-        for (int k = 0; k < leavings; k++) {
-            score[k].self += one * departure_self(&x, ways[k]);
-            score[k].leak += one * departure_leak(&x, ways[k], gap);
-        }
+        departure x;
+        departure_make(&x, kind, size, T, seed, i);
+        score.self += one * departure_self(&x, way);
+        score.leak += one * departure_leak(&x, way, departure_gap(&x));
     }
+    return score;
 }
 
 enum { leaving_batch = 256 };
@@ -59,20 +56,20 @@ static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[le
 
 static inline void table_of_leaving(const options *o)
 {
+    size_t n = o->quick ? 300 : 2000;
     table t = table_new("Leaving a surface of size 1 at the origin, and T = 1e6 away",
                         "method|shape|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
                         "error: leak 1e6|time [ns]");
     for (int s = 0; s < 2; s++) {
-        leaving_score near[leavings], far[leavings];
+        departure_kind kind = s ? DEPART_TRIANGLE : DEPART_SPHERE;
         double ns[leavings];
-        leaving_play((departure_kind)s, 1, 0, o, near);
-        leaving_play((departure_kind)s, 1, 1e6, o, far);
-        leaving_time((departure_kind)s, o->seed, ns);
+        leaving_time(kind, o->seed, ns);
         for (int k = 0; k < leavings; k++) {
+            leaving_score near = leaving_play(ways[k], kind, 1, 0, o->seed, n);
+            leaving_score far = leaving_play(ways[k], kind, 1, 1e6, o->seed, n);
             table_text(&t, "%s", ways[k].name), table_text(&t, s ? "triangle" : "sphere");
-            table_number(&t, near[k].self), table_number(&t, far[k].self);
-            table_number(&t, near[k].leak), table_number(&t, far[k].leak);
-            table_number(&t, ns[k]);
+            table_number(&t, near.self), table_number(&t, far.self);
+            table_number(&t, near.leak), table_number(&t, far.leak), table_number(&t, ns[k]);
         }
     }
     output_table(o, &t);
@@ -103,13 +100,13 @@ cold_inline void plot_of_leaving(const options *o)
     plot time = plot_new("Acne and leaks, triangles of size 100, against time",
                          "time of hit point and ray [ns]", "the larger of acne and leak [%]",
                          PLOT_LOG_Y);
-    leaving_score score[leavings];
     double ns[leavings];
-    leaving_play(DEPART_TRIANGLE, 100, 0, o, score);
     leaving_time(DEPART_TRIANGLE, o->seed, ns);
-    for (int k = 0; k < leavings; k++)
-        plot_add(&time, plot_series(&time, ways[k].name), ns[k],
-                 fmax(score[k].self, score[k].leak));
+    for (int k = 0; k < leavings; k++) {
+        leaving_score s = leaving_play(ways[k], DEPART_TRIANGLE, 100, 0, o->seed,
+                                       o->quick ? 300 : 2000);
+        plot_add(&time, plot_series(&time, ways[k].name), ns[k], fmax(s.self, s.leak));
+    }
     output_plot(o, &time, "18_shade_time.svg");
 }
 

@@ -1,6 +1,6 @@
 /* pictures.h: the gallery; its shadows far from the origin; the edge of light on a mesh.
  *
- *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
+ *   draw_gallery(&o, spend_all)        the main picture, and what rays it took
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
  *   draw_tilt(&o)                      the same light on a patch that is tilted (drawing)
  *   draw_terminator(&o)                a ball of few triangles, smoothed: lit as it is, and lifted
@@ -19,9 +19,9 @@ typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-cold_inline void draw_gallery(const options *o, int n, bool spend_all)
+cold_inline void draw_gallery(const options *o, bool spend_all)
 {
-    gallery *g = gallery_new(n, 0);
+    gallery *g = gallery_new(o->quick ? 6 : 24, 0);
     image im = image_new(o->width, o->height);
     shading how = gallery_shading(g);
     trace_counts rays = {0};
