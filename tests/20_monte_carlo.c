@@ -31,7 +31,7 @@ static void test_exact_values(void)
  * normal for p = 1e-8: alarms come too often by a factor of some ten, not more. */
 static void test_variances(void)
 {
-    convergence *c = convergence_measure(0, 4, 480, 7, 2);
+    convergence *c = convergence_measure(4, 480, 7, 2);
     for (int l = 0; l < c->levels; l++)
         for (int k = 0; k < convergence_methods; k++)
             for (int f = 0; f < integrands; f++) {
@@ -73,7 +73,7 @@ static void test_variances(void)
 /* The same numbers whatever the number of threads. */
 static void test_threads(void)
 {
-    convergence *a = convergence_measure(0, 2, 20, 3, 1), *b = convergence_measure(0, 2, 20, 3, 3);
+    convergence *a = convergence_measure(2, 20, 3, 1), *b = convergence_measure(2, 20, 3, 3);
     check(memcmp(a->square, b->square, sizeof a->square) == 0, "one thread or three");
     free(a), free(b);
 }

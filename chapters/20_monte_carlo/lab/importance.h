@@ -6,18 +6,15 @@
  *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3         (20.16)
  *                                      infinite                           if n >= 3
  *
- * The expectation is pi for all of them. With n > 1 weights have no bound; with n > 3 the median of
- * the error falls only as N^(-2/(n+1)) (20.17), and the standard error that the samples report is
- * too small most of the time. The mixture (混合) of p with a share `a` of a pdf that covers f has
- * weights <= pi / a (defensive importance sampling).
+ * The expectation is pi for all of them; with n > 1 weights have no bound. The mixture (混合) of p
+ * with a share `a` of a pdf that covers f has weights <= pi / a (defensive importance sampling).
  *
  *   importance_weight(n, z), importance_weight_mixed(n, a, z)      z = cos theta in (0, 1]
  *   importance_run(n, a, seed, run, N)     N samples; a = 0: the lobe alone
  *
- * Sources: H. Kahn, A. Marshall, "Methods of reducing sample size in Monte Carlo computations",
- * Operations Research 1, 1953; T. Hesterberg, "Weighted average importance sampling and defensive
- * mixture distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability
- * Theory 2, section XVII.5 (sums of infinite variance).
+ * Sources: T. Hesterberg, "Weighted average importance sampling and defensive mixture
+ * distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability Theory 2,
+ * section XVII.5 (sums of infinite variance).
  */
 #ifndef MONTE_CARLO_IMPORTANCE_H
 #define MONTE_CARLO_IMPORTANCE_H

@@ -15,9 +15,8 @@
  *
  * Scrambled net: split f into parts, one for each size of box 2^-k x 2^-l (as Haar wavelets do).
  * Parts with k + l <= m - 2 are integrated exactly (gain 0), those with k + l = m - 1 have the gain
- * 2, finer ones 1: as good as random. Sources: A. Owen, "Scrambled net variance for integrals of
- * smooth functions", Ann. Stat. 25(4), 1997, and "Monte Carlo variance of scrambled net
- * quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
+ * 2, finer ones 1: as good as random. Source: A. Owen, "Monte Carlo variance of scrambled net
+ * quadrature", SIAM J. Numer. Anal. 34(5), 1997.
  */
 #ifndef MONTE_CARLO_INTEGRANDS_H
 #define MONTE_CARLO_INTEGRANDS_H

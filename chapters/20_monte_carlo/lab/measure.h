@@ -4,8 +4,7 @@
  *   measure_importance(&o) one integral, many pdfs: variance, and how often the interval that the
  *                          samples themselves report holds the truth
  *
- *   convergence *c = convergence_measure(from, levels, runs, seed, threads);  levels from `from` to
- *                                        levels - 1; free(c)
+ *   convergence *c = convergence_measure(levels, runs, seed, threads);       free(c)
  *   convergence_rms(c, method, f, level) root of the mean square error of the runs, N = 16 4^level
  *
  * A method is a sequence_kind, or CONVERGENCE_FIRST, the notes' own way. Each run is an estimate
@@ -26,7 +25,7 @@
 enum { CONVERGENCE_FIRST = sequence_kinds, convergence_methods };
 enum { convergence_levels = 6 };
 typedef struct {
-    int from, levels, runs;
+    int levels, runs;
     uint64_t seed;
     estimate square[convergence_methods][convergence_levels][integrands];   /* of squared errors */
 } convergence;
@@ -60,13 +59,12 @@ static inline void convergence_job(size_t i, void *context)
     }
 }
 
-static inline convergence *convergence_measure(int from, int levels, int runs, uint64_t seed,
-                                               int threads)
+static inline convergence *convergence_measure(int levels, int runs, uint64_t seed, int threads)
 {
     convergence *c = allocate(1, sizeof *c);
-    c->from = from, c->levels = levels, c->runs = runs, c->seed = seed;
-    parallel_whole((size_t)(levels - from) * convergence_methods, threads, "convergence",
-                   convergence_job, c);
+    c->levels = levels, c->runs = runs, c->seed = seed;
+    parallel_whole((size_t)levels * convergence_methods, threads, "convergence", convergence_job,
+                   c);
     return c;
 }
 
@@ -116,8 +114,7 @@ static inline void measure_methods(const options *o)
 {
     double ns[convergence_methods];
     int method[convergence_methods] = {0, 1, 2, 3, 4};
-    convergence *c = convergence_measure(o->full ? 0 : 3, o->full ? 6 : 4, o->quick ? 48 : 480,
-                                         o->seed, o->threads);
+    convergence *c = convergence_measure(o->full ? 6 : 4, o->quick ? 48 : 480, o->seed, o->threads);
     table t = table_new("Root mean square error of two integrals by 1024 samples, its exact "
                         "value, and time",
                         "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
