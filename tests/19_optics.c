@@ -1,9 +1,9 @@
 /* 19_optics: reflection, Snell, Fresnel, Beer against twice the precision and closed forms; the
  * sets of media. */
+#include "19_optics_naive.h"
 #include "check.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
-#include "../chapters/19_whitted/lab/optics_naive.h"
 #include "../chapters/19_whitted/media.h"
 
 /* d towards a surface of normal n, at an angle of the given sine and cosine. */

@@ -90,22 +90,6 @@ static void test_total(void)
           "from outside: refracted; Ks = 0: no reflection");
 }
 
-/* The published number of primary hits, and what follows for a scene that reflects nothing. */
-static void test_published(void)
-{
-    if (check_count(100) < 100) return;
-    world w;
-    failure f;
-    trace_counts c;
-    check(spd_world("tetra", 6, &w, &f) && spd_print_digits(&w, &f), "tetra");
-    spd_count_scene(&w, spd_edge, 0, &c);
-    check_equal(c.rays[RAY_CAMERA], 263169, "513^2 rays");
-    check_close((double)c.hits[RAY_CAMERA], 49950, real_is_float ? 5 : 0, "published hits");
-    check_equal(c.rays[RAY_REFLECTION] + c.rays[RAY_REFRACTION], 0, "dull and opaque");
-    check(c.rays[RAY_SHADOW] <= c.hits[RAY_CAMERA], "one light");
-    world_free(&w);
-}
-
 static void test_program(void)
 {
     check_equal(run("19_whitted", "--protocol spd --scene balls --scale 1 --quick"), 0, "counts");
@@ -130,7 +114,6 @@ int main(void)
     if (!mkdtemp(directory)) return 1;
     test_counts();
     test_total();
-    test_published();
     test_program();
     remove_directory();
     return check_report("19_spd");

@@ -17,7 +17,7 @@
 #include "../../chapters/26_path_tracer/path.h"
 #include "../../chapters/18_shade/lab/departures.h"
 #include "../19_first_world.h"
-#include "../../chapters/19_whitted/lab/optics_naive.h"
+#include "../19_optics_naive.h"
 #include "../../chapters/21_distributed/distributed.h"
 #include "../../chapters/27_effects/files/studio_read.h"
 #include "../../chapters/27_effects/lab/draw.h"

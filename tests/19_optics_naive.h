@@ -1,4 +1,4 @@
-/* optics_naive.h: Snell's law and Fresnel's as they are often written, to be compared with.
+/* 19_optics_naive.h: Snell's law and Fresnel's as they are often written, to be compared with.
  *
  *   snell_of_naive(d, n, n1, n2, &s)  by the sines: sin t = n1/n2 sqrt(1 - ci^2)
  *   real R = schlick(&s)              R0 + (1 - R0)(1 - c)^5,  R0 = ((n1-n2)/(n1+n2))^2  (19.7)
@@ -9,9 +9,7 @@
 #ifndef WHITTED_OPTICS_NAIVE_H
 #define WHITTED_OPTICS_NAIVE_H
 
-#include "../refract.h"
-
-/* ---------------------------------------------------------------------------------------------- */
+#include "../chapters/19_whitted/refract.h"
 
 /* Fails for: d = -n where n.n > 1 by rounding, as for a quarter of all normals: a NaN, where
  * first_refract has none. Both, n1 = 1, n2 = 1 + epsilon at a grazing angle: ct is off by all of
