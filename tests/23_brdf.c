@@ -279,30 +279,23 @@ static vec3 bright_side(vec3 wi) { return wi.x > 0 ? white : black; }
 
 static void test_estimates(void)
 {
-    vec3 wo = at_angle(0.5, 0);
-    int runs = (int)check_count(2000);
-    for (int c = 0; c < 3; c++) {
-        brdf lambert = brdf_lambert(white), rough = brdf_ggx(white, 1);
-        brdf phong = brdf_blinn_phong(black, white, 20), both = specimen(8);
-        estimate e[5] = {{0}, {0}, {0}, {0}, {0}};
-        for (int k = 0; k < runs; k++) {
+    /* (1/pi) integral cos^2 = 2/3; the others: albedos in closed form, or half of one */
+    const struct { brdf b; vec3 wo; incident_light *light; double due; const char *what; } of[] = {
+        {brdf_lambert(white), at_angle(0.5, 0), overhead, 2.0 / 3, "Lambert"},
+        {brdf_ggx(white, 1), up, white_light, 1 - log(2.0), "GGX"},
+        {brdf_blinn_phong(black, white, 20), up, white_light, 1, "Blinn-Phong"},
+        {brdf_ggx(white, 1), up, bright_side, (1 - log(2.0)) / 2, "half"},
+        {specimen(8), up, white_light, 1, "1/2 matte, 1/2 gloss"}};
+    for (int i = 0; i < 15; i++) {
+        int j = i % 5, c = i / 5;
+        estimate e = {0};
+        for (uint64_t k = 0; k < check_count(2000); k++) {
             reflection r = {(direction_choice)c, false, 0};
-            uint64_t p = (uint64_t)k;
-            sequence_kind s = SEQUENCE_RANDOM;
-            vec3 x[5] = {reflection_estimate(&r, &lambert, up, wo, overhead, s, 1, p, 16),
-                         reflection_estimate(&r, &rough, up, up, white_light, s, 2, p, 16),
-                         reflection_estimate(&r, &phong, up, up, white_light, s, 3, p, 16),
-                         reflection_estimate(&r, &rough, up, up, bright_side, s, 4, p, 16),
-                         reflection_estimate(&r, &both, up, up, white_light, s, 5, p, 16)};
-            for (int j = 0; j < 5; j++) e[j] = estimate_add(e[j], (double)x[j].x);
+            vec3 x = reflection_estimate(&r, &of[j].b, up, of[j].wo, of[j].light,
+                                         SEQUENCE_RANDOM, (uint64_t)j + 1, k, 16);
+            e = estimate_add(e, (double)x.x);
         }
-        double rounding = 64 * eps;
-        /* (1/pi) integral cos^2 = 2/3; the others: albedos in closed form, or half of one */
-        check_at_least(t_test(e[0], 2.0 / 3, rounding), alarm, "choice %d: Lambert", c);
-        check_at_least(t_test(e[1], 1 - log(2.0), rounding), alarm, "choice %d: GGX", c);
-        check_at_least(t_test(e[2], 1, rounding), alarm, "choice %d: Blinn-Phong", c);
-        check_at_least(t_test(e[3], (1 - log(2.0)) / 2, rounding), alarm, "choice %d: half", c);
-        check_at_least(t_test(e[4], 1, rounding), alarm, "choice %d: 1/2 matte, 1/2 gloss", c);
+        check_at_least(t_test(e, of[j].due, 64 * eps), alarm, "choice %d: %s", c, of[j].what);
     }
 }
 

@@ -67,8 +67,7 @@ static inline double surface_exact(int surface)
 /* A row of the tables, at all levels. */
 typedef struct {
     int surface, method;
-    uint64_t seed;
-    bool quick, full;
+    const options *o;
     double exact, error[levels], asked[levels];
 } brdf_row;
 
@@ -80,7 +79,7 @@ static inline int brdf_rows(const options *o, brdf_row row[surfaces * methods])
         double exact = o->full || f == GLOSSY ? surface_exact(f) : 0;
         for (int m = 0; m < methods; m++)
             if ((o->full || f == GLOSSY) && (m != FIRST || f == WINDOW))
-                row[n++] = (brdf_row){f, m, o->seed, o->quick, o->full, exact, {0}, {0}};
+                row[n++] = (brdf_row){f, m, o, exact, {0}, {0}};
     }
     return n;
 }
@@ -95,15 +94,15 @@ static inline double row_run(const brdf_row *w, reflection *r, int level, uint64
     vec3 wo = surface_view(w->surface);
     incident_light *light = surface_light(w->surface);
     if (w->method == FIRST) {
-        random_stream random = random_start(w->seed, run, n);
+        random_stream random = random_start(w->o->seed, run, n);
         r->asked += n;
         return (double)first_reflection(window_brdf, upright, wo, (int)n, &random).x;
     }
     r->choice = choice[w->method];
     if (w->method == 0) return (double)reflection_grid(r, &b, upright, wo, light, 4 << level).x;
     return (double)reflection_estimate(r, &b, upright, wo, light,
-                                       w->method == 4 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, w->seed,
-                                       run, n).x;
+                                       w->method == 4 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM,
+                                       w->o->seed, run, n).x;
 }
 
 static inline double row_timed(void *context)
@@ -116,11 +115,11 @@ static inline double row_timed(void *context)
 static inline void row_job(size_t i, void *context)
 {
     brdf_row *w = (brdf_row *)context + i;
-    int runs = w->method == 0 ? 1 : w->quick ? 10 : 200;
+    int runs = w->method == 0 ? 1 : w->o->quick ? 10 : 200;
     for (int level = 0; level < levels; level++) {
         double square = 0;
         reflection r = {DIRECTIONS_UNIFORM, false, 0};
-        if (!w->full && level != brief_level) continue;
+        if (!w->o->full && level != brief_level) continue;
         for (int k = 0; k < runs; k++) {
             double e = row_run(w, &r, level, (uint64_t)k) / w->exact - 1;
             square += e * e / runs;

@@ -107,18 +107,16 @@ static inline brdf lobe_brdf(int k)
     return brdf_ggx(white, k == 2 ? 1 : k == 3 ? (real)0.6 : (real)0.4);
 }
 
-typedef struct { brdf b; vec3 wo; real scale; } brdf_lobe;
-
-/* The largest f cos in the plane of incidence, so that every lobe reaches as far as 1. */
-static inline real lobe_scale(const brdf_lobe *l)
+/* From the left, part 0, to the right, 1. */
+static inline vec3 lobe_direction(real part)
 {
-    real most = 0;
-    for (int i = 1; i < 900; i++) {
-        real a = ((real)i / 900 - (real)0.5) * pi;
-        vec3 w = {sin(a), 0, cos(a)};
-        most = real_max(most, brdf_value_local(&l->b, w, l->wo).x * w.z);
-    }
-    return 1 / most;
+    real a = (part - (real)0.5) * pi;
+    return (vec3){sin(a), 0, cos(a)};
+}
+
+static inline real lobe_value(const brdf *b, vec3 w)
+{
+    return brdf_value_local(b, w, vunit(vec(-1, 0, 1))).x * w.z;
 }
 
 cold_inline void plot_lobes(const options *o)
@@ -126,15 +124,16 @@ cold_inline void plot_lobes(const options *o)
     plot p = plot_new("f cos over its largest; light at 45 degrees from the left",
                       "along the surface", "along n", 0);
     for (int k = 0; k < lobes; k++) {
-        brdf_lobe l = {lobe_brdf(k), vunit(vec(-1, 0, 1)), 0};
+        brdf b = lobe_brdf(k);
+        real most = 0;  /* every lobe reaches as far as 1 */
         char name[48];
-        l.scale = lobe_scale(&l);
-        snprintf(name, sizeof name, "%s, up to %.2f / sr", lobe_name[k], 1 / (double)l.scale);
+        for (int i = 1; i < 900; i++)
+            most = real_max(most, lobe_value(&b, lobe_direction((real)i / 900)));
+        snprintf(name, sizeof name, "%s, up to %.2f / sr", lobe_name[k], (double)most);
         int s = plot_series(&p, name);
         for (int i = 0; i <= 72; i++) {
-            real a = ((real)i / 72 - (real)0.5) * pi;
-            vec3 w = {sin(a), 0, cos(a)};
-            double f = (double)(l.scale * brdf_value_local(&l.b, w, l.wo).x * w.z);
+            vec3 w = lobe_direction((real)i / 72);
+            double f = (double)(lobe_value(&b, w) / most);
             plot_add(&p, s, f * (double)w.x, f * (double)w.z);
         }
     }

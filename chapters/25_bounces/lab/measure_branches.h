@@ -40,30 +40,26 @@ static inline double timed_run(void *context)
     return sum;
 }
 
-/* Of one sample; sure: standard error of `error`. */
-typedef struct { double error, sure, rays, us; } branch_result;
-
-/* All but the time. */
-static inline branch_result trial_result(const branch_survey *b, int trial)
+/* Squared errors of all samples, relative to the mean truth squared; *rays of one. */
+static inline estimate trial_square(const branch_survey *b, int trial, double *rays)
 {
-    double rays = 0, exact = 0;
+    size_t asked = 0;
+    double exact = 0;
     estimate square = {0, 0, 0};
     for (size_t k = 0; k < b->pixels; k++) {
-        const trial_part *p = &b->part[trial][k];
-        rays += (double)trial_rays_asked(&p->work);
-        square = estimate_merge(square, p->square);
-        exact += b->exact[trial_depth_index(trial)][k];
+        asked += trial_rays_asked(&b->part[trial][k].work);
+        square = estimate_merge(square, b->part[trial][k].square);
+        exact += b->exact[trial_depth_index(trial)][k] / (double)b->pixels;
     }
-    double error = sqrt(square.mean) / exact * (double)b->pixels, n = (double)square.n;
-    return (branch_result){error, error * estimate_error(square) / (2 * square.mean), rays / n, 0};
+    *rays = (double)asked / (double)square.n;
+    return (estimate){square.n, square.mean / exact / exact, square.squares / pow(exact, 4)};
 }
 
 static inline void measure_branches(const options *o)
 {
     branch_survey *b = allocate(1, sizeof *b);
     timed_trial timed[trials];
-    branch_result r[trials];
-    double us[trials];
+    double us[trials], one = 0;
     table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
                         "the same time", "bounces|N|rays|error of a sample, -+ [1]|"
                         "time of a sample [us]|time: error over that of N = 1");
@@ -73,15 +69,16 @@ static inline void measure_branches(const options *o)
     for (int k = 0; k < trials; k++) timed[k] = (timed_trial){b, k, o->quick ? 500 : 3000, 0};
     bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : o->full ? 15 : 5, 1e6, us);
     for (int k = 0; k < trials; k++) {
-        r[k] = trial_result(b, k);
-        r[k].us = us[k] / timed[k].rays * r[k].rays;
-        const branch_result *one = &r[trial_depth_index(k) * branch_kinds];
+        double rays;
+        estimate square = trial_square(b, k, &rays);
+        double error = sqrt(square.mean), time = us[k] / timed[k].rays * rays;
+        if (k < trial_terms && k % branch_kinds == 0) one = error * sqrt(time);
         table_count(&t, (size_t)trial_bounces(k));
         if (k < trial_terms) table_count(&t, (size_t)trial_branches(k));
         else table_text(&t, k == trial_first ? "first" : "terms");
-        table_number(&t, r[k].rays), table_text(&t, "%.3g -+ %.1g", r[k].error, r[k].sure);
-        table_number(&t, r[k].us);
-        table_number(&t, r[k].error * sqrt(r[k].us) / (one->error * sqrt(one->us)));
+        table_number(&t, rays);
+        table_text(&t, "%.3g -+ %.1g", error, estimate_error(square) / (2 * error));
+        table_number(&t, time), table_number(&t, error * sqrt(time) / one);
     }
     output_table(o, &t);
     trials_end(b), free(b);

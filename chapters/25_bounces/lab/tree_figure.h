@@ -69,16 +69,15 @@ static inline void tree_panel(figure *g, const options *o, const naive_path *p, 
     naive_counts c = {{0}, 0, 0};
     tree_seen seen = {g, N, 0};
     branching w = {p, N, o->seed, pixel, 0, &c, tree_ray, &seen};
-    char text[96], met[96];
+    char rays[96], met[96];
     tree_room(g);
     (void)branching_trace(&w, eye);
-    snprintf(text, sizeof text, "_N_ = %d: %zu + %zu + %zu + %zu rays", N, c.rays[0], c.rays[1],
+    snprintf(rays, sizeof rays, "= %d: %zu + %zu + %zu + %zu rays", N, c.rays[0], c.rays[1],
              c.rays[2], c.rays[3]);
     snprintf(met, sizeof met, "%d met the lamp, %zu left the room", seen.lit, c.escaped);
-    figure_text(g, 220, 0, 0, 32, FIGURE_MIDDLE, FIGURE_BLACK, text);
+    figure_print(g, 220, 0, 0, 32, FIGURE_MIDDLE, FIGURE_BLACK, "_N_ %s", rays);
     figure_text(g, 220, 0, 0, 52, FIGURE_MIDDLE, FIGURE_GREY, met);
-    if (o->own) printf("N = %d: %zu + %zu + %zu + %zu rays; %s\n", N, c.rays[0], c.rays[1],
-                       c.rays[2], c.rays[3], met);
+    if (o->own) printf("N %s; %s\n", rays, met);
 }
 
 cold_inline void draw_tree(const options *o, int x, int y)
