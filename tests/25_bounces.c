@@ -181,11 +181,9 @@ static void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2
 
 static transport furnace_transport(double r, const vec3 E[2], const vec3 rho[2], int channel)
 {
-    transport t = transport_new(2);
     double a = (double)vaxis(rho[0], channel), b = (double)vaxis(rho[1], channel);
-    for (int k = 0; k < 2; k++) t.E[k] = (double)vaxis(E[k], channel);
-    t.K[1] = a, t.K[2] = b * r * r, t.K[3] = b * (1 - r * r);
-    return t;
+    return (transport){{(double)vaxis(E[0], channel), (double)vaxis(E[1], channel)},
+                       {{0, a}, {b * r * r, b * (1 - r * r)}}};
 }
 
 static void test_pair(void)
@@ -226,7 +224,6 @@ static void test_pair(void)
                                "%s, patch %d, channel %d: %g +- %g, exact %g",
                                choice_name[draws[way]], seen, j, whole[j].mean,
                                estimate_error(whole[j]), S[seen]);
-                transport_free(&t);
             }
             check_equal(c.walk.escaped, 0, "nothing escapes between two spheres");
         }
@@ -391,7 +388,7 @@ static void test_notes(void)
     transport t = furnace_transport(0.5, (vec3[]){dark, one}, (vec3[]){half, half}, 0);
     double L[2];
     check(transport_solve(&t, L) && L[0] > 0.75, "of %g", L[0]);
-    transport_free(&t), lit_free(&s);
+    lit_free(&s);
     /* no emitter but the background, seen past a grey ball: there it is right */
     lit_begin(&s);
     lit_add_shape(&s, shape_of_sphere((sphere){dark, 0.5}),

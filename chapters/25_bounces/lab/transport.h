@@ -10,14 +10,15 @@
  *
  *   K_ij = rho_i F_ij,   sum over j of F_ij = 1 if the room is closed, less if it is open   (25.4)
  *
- *   transport t = transport_new(n);       n < 46341 patches, all zero; fill t.E[i], t.K[i * n + j]
- *   transport_apply(&t, L, out);          out = K L; not in place                    O(n^2)
- *   transport_bounces(&t, k, false, out); K^k E                                      O(k n^2)
+ * Here two patches, which are enough for every case:
+ *
+ *   transport t = {.E = {1, 0}, .K = {{0, 0.5}, {0.5, 0}}};
+ *   transport_apply(&t, L, out);          out = K L; not in place
+ *   transport_bounces(&t, k, false, out); K^k E
  *   transport_bounces(&t, k, true, out);  E + K E + ... + K^k E
- *   transport_solve(&t, out)              (25.2) by elimination; false if I - K is singular, O(n^3)
+ *   transport_solve(&t, out)              (25.2) by Cramer's rule; false if I - K is singular
  *   transport_norm(&t)                    ||K|| = largest sum of a row
- *   transport_radius(&t, steps)           spectral radius (谱半径) of a K >= 0, by powers
- *   transport_free(&t);                   a zeroed one may be freed
+ *   transport_radius(&t)                  spectral radius (谱半径) of a K >= 0: its larger eigenvalue
  *
  * If ||K|| < 1, the k-th term is at most ||K||^k max E: safe, but not needed. What decides whether
  * (25.3) converges is the spectral radius (MEASURED.md). With radius >= 1 I - K is singular, or
@@ -30,111 +31,50 @@
 #ifndef BOUNCES_TRANSPORT_H
 #define BOUNCES_TRANSPORT_H
 
-#include "../../../common/file.h"
-#include "../../../common/vec3.h"
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
 
-typedef struct { int n; double *E, *K; } transport;  /* K row by row */
+typedef struct { double E[2], K[2][2]; } transport;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline transport transport_new(int n)
-{
-    return (transport){n, allocate((size_t)n, sizeof(double)),
-                       allocate((size_t)n * (size_t)n, sizeof(double))};
-}
-
-static inline void transport_free(transport *t)
-{
-    free(t->E), free(t->K);
-    *t = (transport){0, NULL, NULL};
-}
-
 static inline void transport_apply(const transport *t, const double *L, double *out)
 {
-    for (int i = 0; i < t->n; i++) {
-        const double *row = t->K + (size_t)i * (size_t)t->n;
-        out[i] = 0;
-        for (int j = 0; j < t->n; j++) out[i] += row[j] * L[j];
-    }
+    for (int i = 0; i < 2; i++) out[i] = t->K[i][0] * L[0] + t->K[i][1] * L[1];
 }
 
 /* out = E, and then k times out = K out, + E if the sum is asked for: S_0 = E, S_k = E + K S_(k-1),
  * what the recursion of the notes computes, from the inside out. */
 static inline void transport_bounces(const transport *t, int k, bool sum, double *out)
 {
-    double *old = allocate((size_t)t->n, sizeof *old);
-    for (int i = 0; i < t->n; i++) out[i] = t->E[i];
+    out[0] = t->E[0], out[1] = t->E[1];
     for (; k > 0; k--) {
-        for (int i = 0; i < t->n; i++) old[i] = out[i];
+        const double old[2] = {out[0], out[1]};
         transport_apply(t, old, out);
-        for (int i = 0; sum && i < t->n; i++) out[i] += t->E[i];
+        for (int i = 0; sum && i < 2; i++) out[i] += t->E[i];
     }
-    free(old);
 }
 
-/* Gauss and Jordan, with row pivots. A pivot below n epsilon is rounding: rows of I - K are of size
- * 1. Column n is x. */
-static inline bool transport_eliminate(double *A, double *x, int n)
-{
-    for (int c = 0; c < n; c++) {
-        int p = c;
-        for (int i = c + 1; i < n; i++)
-            if (fabs(A[i * n + c]) > fabs(A[p * n + c])) p = i;
-        if (!(fabs(A[p * n + c]) > n * DBL_EPSILON)) return false;
-        for (int j = 0; j <= n; j++) {
-            double *a = j < n ? &A[c * n + j] : &x[c], *b = j < n ? &A[p * n + j] : &x[p], old = *a;
-            *a = *b, *b = old;
-        }
-        for (int i = 0; i < n; i++) {
-            double m = i == c ? 0 : A[i * n + c] / A[c * n + c];
-            for (int j = c; j < n; j++) A[i * n + j] -= m * A[c * n + j];
-            x[i] -= m * x[c];
-        }
-    }
-    for (int i = 0; i < n; i++) x[i] /= A[i * n + i];
-    return true;
-}
-
+/* A determinant below some epsilon is rounding: rows of I - K are of size 1. */
 static inline bool transport_solve(const transport *t, double *out)
 {
-    size_t n = (size_t)t->n;
-    double *A = allocate(n * n, sizeof *A);
-    for (size_t i = 0; i < n; i++) out[i] = t->E[i];
-    for (size_t i = 0; i < n * n; i++) A[i] = (i % (n + 1) == 0) - t->K[i];
-    bool regular = transport_eliminate(A, out, t->n);
-    free(A);
-    return regular;
+    double a = 1 - t->K[0][0], b = t->K[0][1], c = t->K[1][0], d = 1 - t->K[1][1];
+    double det = a * d - b * c;
+    if (!(fabs(det) > 2 * DBL_EPSILON)) return false;
+    out[0] = (d * t->E[0] + b * t->E[1]) / det, out[1] = (c * t->E[0] + a * t->E[1]) / det;
+    return true;
 }
 
 static inline double transport_norm(const transport *t)
 {
-    double most = 0;
-    for (int i = 0; i < t->n; i++) {
-        double row = 0;
-        for (int j = 0; j < t->n; j++) row += fabs(t->K[i * t->n + j]);
-        most = row > most ? row : most;
-    }
-    return most;
+    return fmax(fabs(t->K[0][0]) + fabs(t->K[0][1]), fabs(t->K[1][0]) + fabs(t->K[1][1]));
 }
 
-/* Powers of (I + K)/2, whose largest eigenvalue is (1 + radius)/2 and alone in its size: K itself
- * may have -radius, too (light that goes to and fro between two surfaces), and never settle. */
-static inline double transport_radius(const transport *t, int steps)
+static inline double transport_radius(const transport *t)
 {
-    double *v = allocate((size_t)t->n, sizeof *v), *w = allocate((size_t)t->n, sizeof *w);
-    double grown = 0;
-    for (int i = 0; i < t->n; i++) v[i] = 1;
-    for (int k = 0; k < steps; k++) {
-        transport_apply(t, v, w);
-        grown = 0;
-        for (int i = 0; i < t->n; i++) {
-            w[i] = (w[i] + v[i]) / 2;
-            grown = w[i] > grown ? w[i] : grown;
-        }
-        for (int i = 0; i < t->n; i++) v[i] = w[i] / grown;
-    }
-    free(v), free(w);
-    return 2 * grown - 1;
+    double half = (t->K[0][0] - t->K[1][1]) / 2;
+    return (t->K[0][0] + t->K[1][1]) / 2 + sqrt(half * half + t->K[0][1] * t->K[1][0]);
 }
 
 #endif
