@@ -29,8 +29,9 @@ static double csg_time_run(void *context)
     const csg_timing *x = context;
     double sum = 0;
     hit h;
+    csg_tolerance = (real)x->way.tolerance;
     for (size_t i = 0; i < csg_timed; i++)
-        sum += csg_way_hit(&x->way, x->c, x->r[i], &h) ? (double)h.t : 0;
+        sum += x->way.X_hit(x->c, x->r[i], &h) ? (double)h.t : 0;
     return sum;
 }
 
