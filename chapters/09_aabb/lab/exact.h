@@ -11,13 +11,6 @@
  *   aabb_full_trial_of(kind, seed, i)      with a full mantissa (尾数): parallel, flat, edge, corner
  *   aabb_wide w = wide_aabb(c.b, c.r)      is it hit, at which t, and by how much
  *
- *   TRIAL_PARALLEL   the ray runs in a plane of the box: d_k = +-0.0 on one axis or more
- *   TRIAL_FLAT       one, two or three sides of length 0; aimed at the box
- *   TRIAL_EDGE       meets the closed box in one point of an edge
- *   TRIAL_CORNER     aimed at a corner: three planes at the same t = m / q, m and q from 1 to 15
- *   TRIAL_CONTACT    the interval ends where the ray enters, or begins where it leaves; or at o
- *   TRIAL_ANY        o anywhere, also inside; aimed anywhere, also away; any interval
- *
  * Whole numbers leave the differences lo - o free of rounding. With all digits these round, too,
  * and a ray aimed at a corner passes it on this or on that side: some truly miss the box, by 1e-16
  * of the distance. wide.h is off by some 1e-31: only a gap below that is undecided, and is a hit.
@@ -30,7 +23,13 @@
 #include "../aabb.h"
 
 typedef enum {
-    TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE, TRIAL_CORNER, TRIAL_CONTACT, TRIAL_ANY, aabb_trial_kinds
+    TRIAL_PARALLEL,  /* the ray runs in a plane of the box: d_k = +-0.0 on one axis or more */
+    TRIAL_FLAT,      /* one, two or three sides of length 0; aimed at the box */
+    TRIAL_EDGE,      /* meets the closed box in one point of an edge */
+    TRIAL_CORNER,    /* aimed at a corner: three planes at one t = m / q, m and q from 1 to 15 */
+    TRIAL_CONTACT,   /* the interval ends where it enters, or begins where it leaves, or at o */
+    TRIAL_ANY,       /* o anywhere, also inside; aimed anywhere, also away; any interval */
+    aabb_trial_kinds
 } aabb_trial_kind;
 
 static const char *const trial_name[aabb_trial_kinds] = {
@@ -104,14 +103,6 @@ static inline vec3 random_point(random_stream *s, int lowest, int highest)
 
 static inline bool chance(random_stream *s, int in) { return random_integer(s, 1, in) == 1; }
 
-static inline vec3 point_in(aabb b, random_stream *s)
-{
-    vec3 p = b.lo;
-    for (int k = 0; k < 3; k++)
-        p = vwith(p, k, (real)random_integer(s, (int)vaxis(b.lo, k), (int)vaxis(b.hi, k)));
-    return p;
-}
-
 static inline real face_of(aabb b, int k, bool upper) { return vaxis(upper ? b.hi : b.lo, k); }
 
 /* The ray with direction q w that reaches p after t = m / q; zeros get either sign. */
@@ -128,13 +119,6 @@ static inline void aim_at_face(aabb b, int k, bool upper, bool enters, vec3 *p, 
 {
     real wk = 1 + fabs(vaxis(*w, k));
     *p = vwith(*p, k, face_of(b, k, upper)), *w = vwith(*w, k, upper == enters ? -wk : wk);
-}
-
-/* To the edge along axis k: the ray leaves one of the two slabs there and enters the other one. */
-static inline void aim_past_edge(aabb b, int k, vec3 *p, vec3 *w, random_stream *s)
-{
-    bool ui = chance(s, 2), uj = chance(s, 2);
-    aim_at_face(b, (k + 1) % 3, ui, false, p, w), aim_at_face(b, (k + 2) % 3, uj, true, p, w);
 }
 
 /* The interval on one side of a face: it ends where the ray enters, or begins where the ray leaves,
@@ -167,14 +151,20 @@ static inline aabb_trial aabb_trial_of(aabb_trial_kind kind, uint64_t seed, uint
     if (kind == TRIAL_FLAT)
         for (int n = 0; n < 3; n++)
             if (n == k || chance(&s, 3)) b.hi = vwith(b.hi, n, vaxis(b.lo, n));
-    vec3 p = point_in(b, &s);
+    vec3 p = b.lo;
+    for (int n = 0; n < 3; n++)
+        p = vwith(p, n, (real)random_integer(&s, (int)vaxis(b.lo, n), (int)vaxis(b.hi, n)));
     for (int n = 0; n < 3; n++) {
         bool upper = chance(&s, 2);
         if (kind == TRIAL_CORNER) p = vwith(p, n, face_of(b, n, upper));
         if (kind == TRIAL_PARALLEL && (n == k || chance(&s, 4)))
             p = vwith(p, n, face_of(b, n, upper)), w = vwith(w, n, 0);
     }
-    if (kind == TRIAL_EDGE) aim_past_edge(b, k, &p, &w, &s);
+    if (kind == TRIAL_EDGE) {  /* along axis k: leaves one of the slabs there, enters the other */
+        bool ui = chance(&s, 2), uj = chance(&s, 2);
+        aim_at_face(b, (k + 1) % 3, ui, false, &p, &w);
+        aim_at_face(b, (k + 2) % 3, uj, true, &p, &w);
+    }
     if (vzero(w)) w = vwith(w, (k + 1) % 3, 1);
     if (kind == TRIAL_CONTACT) return (aabb_trial){b, ray_in_contact(b, k, p, w, &s)};
     if (kind == TRIAL_ANY) return (aabb_trial){b, ray_anywhere(p, w, m, q, &s)};
