@@ -2,13 +2,14 @@
  *
  *   table_of_strategies(o, &s)    the page's table; --full: all columns and all rows as well
  *   table_of_planes(o)            squares in dyadic planes, where textbook searches lose hits
- *   kdtree_grow(o)                against the number of triangles
  */
 #ifndef KDTREE_MEASURE_H
 #define KDTREE_MEASURE_H
 
+#include "../../../common/lab/report.h"
 #include "../../07_mesh/scenes/specimens.h"
-#include "../../09_aabb/trials/growth.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../../09_aabb/trials/bench.h"
 #include "../first.h"
 #include "textbook.h"
 
@@ -117,16 +118,6 @@ static inline void table_of_planes(const options *o)
         for (int k = 0; k < 4; k++) table_count(&out, wrong[i][k]);
     }
     output_extra_table(o, &out);
-}
-
-static inline void kdtree_grow(const options *o)
-{
-    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 126};
-    const trial_growth g = {.title = "Growth with n, SAH, one thread",
-                            .plot = "12_kdtree_n.svg", .work = {"nodes", "leaves", "tests"},
-                            .verbs = &kdtree_trial, .how = &kdtree_defaults, .fine = fine,
-                            .sizes = 8, .width = 160, .brute = 64};
-    trial_grow(o, &g);
 }
 
 #endif
