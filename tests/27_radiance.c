@@ -343,67 +343,58 @@ static void test_left_out(void)
 
 /* ---- light: closed forms ---- */
 
+#define FLOOR "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n"
+
 /* A closed ball that shines inwards: L = Le / (1 - albedo) everywhere, whichever way its radius has
  * it turned. A point light of intensity I in the middle of a closed matte ball: E = I / R^2 is the
  * same everywhere, and so is what its wall sends back, albedo E / pi, of which albedo times as much
  * comes from the second bounce, and so on: L = albedo / (1 - albedo) I / (pi R^2). A floor within a
  * wide shining sphere, and a matte ball in an even sky: L = albedo Le. Highlights (23.14), met head
  * on: as much as their Ks, whatever Ns, of a background that they show, too (the sun, behind them,
- * is there so that the eye brings no light). Under a lamp, without anything else: Lambert's formula
- * of the form factor. */
+ * is there so that the eye brings no light). Under a small sphere of radius R at height h, radiance
+ * Ke: E = pi Ke (R/h)^2 at its foot, L = kd E / pi. */
 static void test_light(void)
 {
-    expect("closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"
-           "Ke 1 2 3\nillum 1\nsphere 0 0 0 -2\n", (double[3]){2, 2 / 0.75, 3 / 0.9}, 300,
-           0);
-    expect("closed sphere, turned outwards", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\n"
-           "Kd 0.5 0.25 0.1\nKe 1 2 3\nillum 1\nsphere 0 0 0 2\n",
-           (double[3]){2, 2 / 0.75, 3 / 0.9}, 300, 0);
-    double power = 10 / (double)pi / 4;
-    expect("a point light in a closed ball", "camera from 0 0.5 0.5 at 0 0 3\nmaterial m\n"
-           "Kd 0.7 0.5 0.2\nillum 1\nsphere 0 0 0 -2\nlight at 0 0 0 colour 10\n",
-           (double[3]){power * 7 / 3, power, power / 4}, 300, 0);
-    expect("a floor in a shining sphere", "camera from 0 2 5 at 0 0 0\nmaterial floor\nKd 0.7\n"
-           "illum 1\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 1 2 3\n"
-           "sphere 0 0 0 50\n", (double[3]){0.7, 1.4, 2.1}, 300, 0);
-    expect("highlight in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
-           "Kd 0\nKs 1 0.5 0.25\nNs 1\nillum 2\nsphere 0 0 0 1\n", (double[3]){1, 0.5, 0.25},
-           300, 0);
-    expect("highlight under a shining sphere", "camera from 0 5 0 at 0 0 0 up 0 0 1\nmaterial m\n"
-           "Kd 0\nKs 1 0.5 0.25\nNs 20\nillum 2\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n"
-           "material lamp\nKe 1\nsphere 0 0 0 50\n", (double[3]){1, 0.5, 0.25}, 300, 0);
-    expect("a background, blurred", "camera from 0 5 0 at 0 0 0 up 0 0 1\nbackground 1\n"
-           "sun to 0 -1 0 colour 1\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 20\nillum 3\n"
-           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n", (double[3]){1, 0.5, 0.25}, 300,
-           EFFECT_GLOSSY);
-    expect("ball in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
-           "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", (double[3]){0.8, 0.5, 0.2}, 300, 0);
-    /* small lamp of area A, radiance 1, at height h straight above: E = pi R^2 / (R^2 + h^2) for a
-     * disk; here a sphere of radius R: E = pi (R/h)^2 at its foot, L = kd E / pi */
-    expect("under a sphere", "camera from 0.5 3 0.1 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
-           "polygon -3 0 3  3 0 3  3 0 -3  -3 0 -3\nmaterial lamp\nKe 4\nsphere 0 4 0 1\n"
-           "camera from 1 3 1 at 0 0 0\n", (double[3]){0.125, 0.125, 0.125}, 300, 0);
+    const double power = 10 / (double)pi / 4;
     /* Two lamps, found by shadow rays and by chance: the weights of both ways add up to 1. A square
      * that faces upwards, 2 above the floor, half side 1: 4 corners' form factors (a = b = 1/2);
      * and a sphere of radius R at distance 5, height 3: (R/5)^2 3/5. */
-    double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
-    double L = 0.5 * (20 * F + 50 * 0.01 * 0.6);
-    #define TWO_LAMPS "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"         \
-        "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 20\n"                          \
-        "polygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\nmaterial ball\nKe 50\nsphere 4 3 0 0.5\n"
-    expect("under two lamps", TWO_LAMPS, (double[3]){L, L, L}, 300,
-           EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT);
+    const double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
+    const double L = 0.5 * (20 * F + 50 * 0.01 * 0.6);
+    #define GREY_FLOOR "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n" FLOOR
+    #define TWO_LAMPS GREY_FLOOR "material lamp\nKe 20\npolygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\n"  \
+        "material ball\nKe 50\nsphere 4 3 0 0.5\n"
     /* Clear balls on the way, alone, or all within a larger one of the same: a ray that passes is
      * weighted as if nothing had been there, as a shadow ray does. */
     #define CLEAR "material clear\nKd 0\nNi 1\nillum 6\nsphere 0 0 0 1.5\nsphere 2 1.5 0 0.5\n"
-    unsigned mask = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_REFRACTION;
-    expect("through clear balls", TWO_LAMPS CLEAR, (double[3]){L, L, L}, 300, mask);
-    expect("clear balls in an even sky", "camera from 0 1.5 4 at 0 0 0\nenvironment 1\n"
-           "material floor\nKd 0.5\nillum 1\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n" CLEAR,
-           (double[3]){0.5, 0.5, 0.5}, 300,
-           EFFECT_ENVIRONMENT | EFFECT_INDIRECT | EFFECT_REFRACTION);
-    expect("within a clear ball", TWO_LAMPS CLEAR "sphere 0 0 0 60\n", (double[3]){L, L, L}, 300,
-           mask);
+    const unsigned paths = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT, through = EFFECT_REFRACTION;
+    const struct { const char *what, *text; double exact[3]; unsigned mask; } list[] = {
+        {"closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"
+         "Ke 1 2 3\nillum 1\nsphere 0 0 0 -2\n", {2, 2 / 0.75, 3 / 0.9}, 0},
+        {"closed sphere, turned outwards", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\n"
+         "Kd 0.5 0.25 0.1\nKe 1 2 3\nillum 1\nsphere 0 0 0 2\n", {2, 2 / 0.75, 3 / 0.9}, 0},
+        {"a point light in a closed ball", "camera from 0 0.5 0.5 at 0 0 3\nmaterial m\n"
+         "Kd 0.7 0.5 0.2\nillum 1\nsphere 0 0 0 -2\nlight at 0 0 0 colour 10\n",
+         {power * 7 / 3, power, power / 4}, 0},
+        {"a floor in a shining sphere", "camera from 0 2 5 at 0 0 0\nmaterial floor\nKd 0.7\n"
+         "illum 1\n" FLOOR "material lamp\nKe 1 2 3\nsphere 0 0 0 50\n", {0.7, 1.4, 2.1}, 0},
+        {"highlight under a shining sphere", "camera from 0 5 0 at 0 0 0 up 0 0 1\nmaterial m\n"
+         "Kd 0\nKs 1 0.5 0.25\nNs 20\nillum 2\n" FLOOR "material lamp\nKe 1\nsphere 0 0 0 50\n",
+         {1, 0.5, 0.25}, 0},
+        {"a background, blurred", "camera from 0 5 0 at 0 0 0 up 0 0 1\nbackground 1\n"
+         "sun to 0 -1 0 colour 1\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 20\nillum 3\n" FLOOR,
+         {1, 0.5, 0.25}, EFFECT_GLOSSY},
+        {"ball in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
+         "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", {0.8, 0.5, 0.2}, 0},
+        {"under a sphere", "camera from 1 3 1 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
+         FLOOR "material lamp\nKe 4\nsphere 0 4 0 1\n", {0.125, 0.125, 0.125}, 0},
+        {"under two lamps", TWO_LAMPS, {L, L, L}, paths},
+        {"through clear balls", TWO_LAMPS CLEAR, {L, L, L}, paths | through},
+        {"within a clear ball", TWO_LAMPS CLEAR "sphere 0 0 0 60\n", {L, L, L}, paths | through},
+        {"clear balls in an even sky", GREY_FLOOR CLEAR "environment 1\n", {0.5, 0.5, 0.5},
+         EFFECT_ENVIRONMENT | EFFECT_INDIRECT | through}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        expect(list[i].what, list[i].text, list[i].exact, 300, list[i].mask);
 }
 
 /* Highlights of an even sky, whatever their exponent: head on Ks (23.14); aslant, of an endless
@@ -421,13 +412,13 @@ static void test_highlights(void)
             char text[500];
             double L = k == 1 ? 1.6 : 1, most = k == 1 ? 1e-4 : 0;
             snprintf(text, sizeof text, "camera from 0 5 0 at 0 0 0 up 0 0 1\n"
-                     "environment %s\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 1e%d\nillum 2\n"
-                     "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n", sky[k], ns);
+                     "environment %s\nmaterial m\nKd 0\nKs 1 0.5 0.25\nNs 1e%d\nillum 2\n" FLOOR,
+                     sky[k], ns);
             expect(text, text, (double[3]){L, L / 2, L / 4}, 300 + most / (double)real_epsilon, 0);
         }
     expect("a narrow highlight aslant", "camera from 0 4 3 at 0 0 0\nenvironment 1\nmaterial m\n"
-           "Kd 0\nKs 1\nNs 1e9\nillum 2\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n",
-           (double[3]){0.64, 0.64, 0.64}, 300 + 1e-8 / (double)real_epsilon, 0);
+           "Kd 0\nKs 1\nNs 1e9\nillum 2\n" FLOOR, (double[3]){0.64, 0.64, 0.64},
+           300 + 1e-8 / (double)real_epsilon, 0);
 }
 
 /* A wide lamp of 300 corners, R = h = 2, straight above: n edges seen under an angle t each, in
@@ -436,8 +427,8 @@ static void test_round_lamp(void)
 {
     enum { n = 300 };
     char text[300 + 50 * n];
-    int size = sprintf(text, "camera from 0 1 3 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
-                       "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 4\npolygon");
+    int size = sprintf(text, "camera from 0 1 3 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n" FLOOR
+                       "material lamp\nKe 4\npolygon");
     for (int k = 0; k < n; k++)
         size += sprintf(text + size, " %.17g 2 %.17g", 2 * cos(2 * (double)pi * k / n),
                         2 * sin(2 * (double)pi * k / n));
@@ -450,9 +441,8 @@ static void test_round_lamp(void)
  * Let into other glass both are hidden: they shine all the same, for shadow rays and for others. */
 static void test_hidden_lamp(void)
 {
-    #define SHINING "camera from 4 1 0 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"              \
-        "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial ball\nKd 0\nKe 9\nNi 1\nillum 6\n"      \
-        "sphere 0 3 0 2\n"
+    #define SHINING "camera from 4 1 0 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n" FLOOR          \
+        "material ball\nKd 0\nKe 9\nNi 1\nillum 6\nsphere 0 3 0 2\n"
     unsigned mask = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_REFRACTION;
     expect("a shining ball of glass", SHINING, (double[3]){4, 4, 4}, 300, mask);
     expect("let into other glass", SHINING "material cup\nKd 0\nNi 1\nillum 6\npriority 1\n"
