@@ -24,8 +24,6 @@ enum { dome_cell = 10, dome_zoom = 3, dome_panels = 3 + triangle_mine };
 typedef struct {
     triangle_method *method;
     int width, height;       /* of one panel, rays */
-    int columns, rows;       /* of cells */
-    triangle *tri;           /* two a cell, row by row */
     vec3 right, up, back;    /* camera frame, turned so that no axis is along an axis */
 } triangle_dome;
 
@@ -43,62 +41,50 @@ static inline vec3 dome_direction(const triangle_dome *s, int x, int y)  /* of o
 
 static inline vec3 dome_corner(const triangle_dome *s, int i, int j)
 {
-    /* from one cell beyond the picture */
-    vec3 d = dome_direction(s, dome_cell * (i - 1), dome_cell * (j - 1));
+    vec3 d = dome_direction(s, dome_cell * i, dome_cell * j);
     real rest = (real)0.25 - (vdot(d, d) - 1);  /* > 0 where the wall bulges towards the eye */
     return vmadd(dome_eye, d, 4 - 2 * sqrt(real_max(rest, 0)));
 }
 
-/* For panels of so many pixels. */
-static inline triangle_dome dome_new(int width, int height)
+/* One of the two of a cell. A corner is the same numbers for all that share it. */
+static inline triangle dome_triangle(const triangle_dome *s, int i, int j, bool second)
 {
-    triangle_dome s = {.back = vunit((vec3){1, 2, 5})};
-    vbasis(s.back, &s.right, &s.up);
-    s.width = (width + dome_zoom - 1) / dome_zoom, s.height = (height + dome_zoom - 1) / dome_zoom;
-    s.columns = s.width / dome_cell + 3, s.rows = s.height / dome_cell + 3;
-    triangle *next = s.tri = allocate(2 * (size_t)s.columns * (size_t)s.rows, sizeof *s.tri);
-    for (int j = 0; j < s.rows; j++)
-        for (int i = 0; i < s.columns; i++) {
-            vec3 c[4];
-            for (int k = 0; k < 4; k++) c[k] = dome_corner(&s, i + k % 2, j + k / 2);
-            *next++ = (triangle){c[0], c[2], c[1]};
-            *next++ = (triangle){c[1], c[2], c[3]};
-        }
-    return s;
+    vec3 right = dome_corner(s, i + 1, j), below = dome_corner(s, i, j + 1);
+    if (second) return (triangle){right, below, dome_corner(s, i + 1, j + 1)};
+    return (triangle){dome_corner(s, i, j), below, right};
 }
 
 static vec3 dome_colour(const void *context, real x, real y)
 {
     const triangle_dome *s = context;
-    int px = (int)x / dome_zoom, py = (int)y / dome_zoom;
+    int px = (int)x / dome_zoom, py = (int)y / dome_zoom, hits = 0;
     ray r = ray_from(dome_eye, dome_direction(s, px, py));
-    hit h, best = hit_none;
-    int hits = 0;
-    int i0 = px / dome_cell, j0 = py / dome_cell;
-    for (int j = j0; j < j0 + 3; j++)  /* the cells round the pixel: the others are far off */
-        for (int i = i0; i < i0 + 3; i++)
-            for (int k = 0; k < 2; k++) {
-                int index = 2 * (j * s->columns + i) + k;
-                if (!s->method(s->tri[index], r, &h)) continue;
-                hits++, h.shape = (uint32_t)index;
-                if (hit_before(h, best)) best = h;
-            }
+    vec3 normal = {0, 0, 0};
+    hit h;
+    for (int k = 0; k < 18; k++) {  /* of the cells round the pixel: the others are far off */
+        int i = px / dome_cell - 1 + k / 2 % 3, j = py / dome_cell - 1 + k / 6;
+        triangle t = dome_triangle(s, i, j, k % 2);
+        if (s->method(t, r, &h)) hits++, normal = triangle_normal(t);
+    }
     if (hits > 1) return vec(0, 0.2, 0.8);
     if (!hits) return vec(1, 0.2, 0);
-    return vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
+    return vscale(headlight(normal, r.d), 0.6);
 }
 
 cold_inline void dome_draw(const options *o)
 {
     int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
     panels_shape g = {o->width, o->height, dome_panels, 1, gap, 1, true};
-    triangle_dome s = dome_new(panels_wide(g), o->height), of[4] = {s, s, s, s};
+    triangle_dome s = {.width = (panels_wide(g) + dome_zoom - 1) / dome_zoom,
+                       .height = (o->height + dome_zoom - 1) / dome_zoom,
+                       .back = vunit((vec3){1, 2, 5})};
+    vbasis(s.back, &s.right, &s.up);
+    triangle_dome of[4] = {s, s, s, s};
     of[0].method = first_triangle_hit, of[1].method = triangle_hit_tolerant;
     of[2].method = triangle_hit, of[3].method = mine_triangle_hit;
     const panel p[4] = {{"first: Moller-Trumbore", &of[0]}, {"with a tolerance", &of[1]},
                         {"triangle_hit, watertight", &of[2]}, {"mine", &of[3]}};
     panels_draw(o, "04_triangle.png", true, g, dome_colour, p);
-    free(s.tri);
 }
 
 #endif

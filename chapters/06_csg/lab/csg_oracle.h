@@ -2,7 +2,7 @@
  *
  *   double m = oracle_margin(&s, p)         how far p is from the surface: negative inside; exact
  *                                           but for 1e-30 of its size. Of a mesh only
- *                                           its sign means something, by solid angles, in double
+ *                                           its sign means something, by solid angles
  *   bool in = oracle_contains(model, p, &least)   the Boolean of its parts, and the least |margin|:
  *                                           the answer is certain where that is well above 0
  *
@@ -34,20 +34,12 @@ static inline double oracle_winding(csg_closed m, wide3 p)
 {
     double sum = 0;
     for (size_t i = 0; i < m.n; i++) {
-        const vec3 corner[3] = {m.tri[i].a, m.tri[i].b, m.tri[i].c};
-        double v[3][3], length[3];
-        for (int k = 0; k < 3; k++) {
-            wide3 w = wide3_sub(wide3_of(corner[k]), p);
-            v[k][0] = wide_value(w.x), v[k][1] = wide_value(w.y), v[k][2] = wide_value(w.z);
-            length[k] = sqrt(v[k][0] * v[k][0] + v[k][1] * v[k][1] + v[k][2] * v[k][2]);
-        }
-        double det = 0, below = length[0] * length[1] * length[2];
-        for (int k = 0; k < 3; k++) {
-            int a = (k + 1) % 3, b = (k + 2) % 3;
-            det += v[0][k] * (v[1][a] * v[2][b] - v[1][b] * v[2][a]);
-            below += length[k] * (v[a][0] * v[b][0] + v[a][1] * v[b][1] + v[a][2] * v[b][2]);
-        }
-        sum += 2 * atan2(det, below);
+        wide3 a = wide3_sub(wide3_of(m.tri[i].a), p), b = wide3_sub(wide3_of(m.tri[i].b), p);
+        wide3 c = wide3_sub(wide3_of(m.tri[i].c), p);
+        double la = wide_value(wide3_length(a)), lb = wide_value(wide3_length(b));
+        double lc = wide_value(wide3_length(c)), det = wide_value(wide3_dot(a, wide3_cross(b, c)));
+        sum += 2 * atan2(det, la * lb * lc + la * wide_value(wide3_dot(b, c))
+                              + lb * wide_value(wide3_dot(c, a)) + lc * wide_value(wide3_dot(a, b)));
     }
     return sum / (4 * 3.14159265358979323846);
 }
