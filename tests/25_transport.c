@@ -1,6 +1,6 @@
 /* Tests of 25_bounces, first part: the operator on patches, its Neumann series, the furnace's sum.
  * Oracles: 2 x 2 systems and eigenvalues in closed form, sums in double-double, dyadic numbers. */
-#include "../chapters/25_bounces/lab/series.h"
+#include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/transport.h"
 #include "../common/numbers/wide.h"
 #include "../common/random.h"

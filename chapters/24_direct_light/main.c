@@ -4,7 +4,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light cha
  * plot. Errors are measured against a long run with well-spread points, which a test compares with
  * closed forms. */
 #include "lab/measure.h"
-#include "lab/point_lights.h"
 #include "lab/ways_figure.h"
 
 int main(int argc, char **argv)

@@ -59,37 +59,27 @@ static inline vec3 ways_direction(double degrees)
     return vec((real)sin(a), 0, (real)cos(a));
 }
 
-static inline double ways_of_brdf(double degrees)
+/* The density of a direction, by the plate or by the lamp; or its weight. */
+typedef struct { bool lamp, weight; } ways_choice;
+static inline double ways_value(ways_choice of, double degrees)
 {
+    const real R = (real)0.28;
     brdf b = brdf_ggx((vec3){1, 1, 1}, (real)0.35);
-    return (double)brdf_pdf_local(&b, ways_direction(degrees), ways_direction(ways_out));
+    emitter e = emitter_of_sphere((sphere){ways_direction(ways_lamp), R}, (vec3){1, 1, 1});
+    bool meets = fabs(degrees - ways_lamp) < asin((double)R) * 180 / (double)pi;
+    real plate = brdf_pdf_local(&b, ways_direction(degrees), ways_direction(ways_out));
+    real lamp = meets ? emitter_pdf_angle(&e, (vec3){0, 0, 0}) : 0;
+    real own = of.lamp ? lamp : plate, other = of.lamp ? plate : lamp;
+    return (double)(of.weight ? mis_power(own, other) : own);
 }
 
-static inline double ways_of_light(double degrees)
+/* Its curve over 0 to 85 degrees, a unit wide; densities up to 8. */
+static inline void ways_curve(figure *g, ways_choice of, const char *colour)
 {
-    const double R = 0.28;
-    sphere s = {ways_direction(ways_lamp), (real)R};
-    emitter e = emitter_of_sphere(s, (vec3){1, 1, 1});
-    bool meets = fabs(degrees - ways_lamp) < asin(R) * 180 / (double)pi;
-    return meets ? (double)emitter_pdf_angle(&e, (vec3){0, 0, 0}) : 0;
-}
-
-static inline double ways_weight_brdf(double degrees)
-{
-    return (double)mis_power((real)ways_of_brdf(degrees), (real)ways_of_light(degrees));
-}
-
-static inline double ways_weight_light(double degrees)
-{
-    return (double)mis_power((real)ways_of_light(degrees), (real)ways_of_brdf(degrees));
-}
-
-/* The curve of f over 0 to 85 degrees, a unit wide; 1 / most as high. */
-static inline void ways_curve(figure *g, double (*f)(double), double most, const char *colour)
-{
+    double most = of.weight ? 1 : 8;
     for (double x = 0; x < 85; x += 0.25)
-        figure_line(g, x / 85, f(x) / most, (x + 0.25) / 85, f(x + 0.25) / most, colour, 2.5,
-                    FIGURE_WHOLE);
+        figure_line(g, x / 85, ways_value(of, x) / most, (x + 0.25) / 85,
+                    ways_value(of, x + 0.25) / most, colour, 2.5, FIGURE_WHOLE);
 }
 
 static inline void ways_axes(figure *g, const char *title, const char *top)
@@ -111,14 +101,14 @@ cold_inline void draw_ways(const options *o)
     ways_piece(&g);
     figure_origin(&g, 420, 260, 230);
     ways_axes(&g, "two densities of the same direction", "8");
-    ways_curve(&g, ways_of_brdf, 8, FIGURE_BLUE);
-    ways_curve(&g, ways_of_light, 8, FIGURE_ORANGE);
+    ways_curve(&g, (ways_choice){false, false}, FIGURE_BLUE);
+    ways_curve(&g, (ways_choice){true, false}, FIGURE_ORANGE);
     figure_text(&g, 0.03, 0.93, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "_p_~B~: the plate");
     figure_text(&g, 0.86, 0.55, 0, 0, FIGURE_MIDDLE, FIGURE_ORANGE, "_p_~L~: the lamp");
     figure_origin(&g, 760, 260, 230);
     ways_axes(&g, "their weights, by squares", "1");
-    ways_curve(&g, ways_weight_brdf, 1, FIGURE_BLUE);
-    ways_curve(&g, ways_weight_light, 1, FIGURE_ORANGE);
+    ways_curve(&g, (ways_choice){false, true}, FIGURE_BLUE);
+    ways_curve(&g, (ways_choice){true, true}, FIGURE_ORANGE);
     figure_text(&g, 0.2, 0.88, 0, 0, FIGURE_MIDDLE, FIGURE_BLUE, "_w_~B~");
     figure_text(&g, 0.72, 0.7, 0, 0, FIGURE_MIDDLE, FIGURE_ORANGE, "_w_~L~");
     figure_end(&g);

@@ -1,9 +1,18 @@
-/* furnace.h: closed rooms in which every term of the series is known exactly.
+/* furnace.h: closed rooms (白炉) in which every term of the series is known exactly.
  *
  *   furnace_sphere(&s, E, rho)       a sphere of radius 1, seen from inside
  *   furnace_box(&s, E, rho)          the cube [-1,1]^3, twelve triangles
  *
- * All walls emit E and reflect rho, matte: (25.5), (25.6), channel by channel.
+ * All walls emit E and reflect rho, matte, so that each sees the same radiance all around: K is the
+ * number rho, and K^k E = rho^k E, channel by channel.
+ *
+ *   E + K E + ... + K^n E = E (1 - rho^(n+1)) / (1 - rho)    = E (n + 1) if rho = 1         (25.5)
+ *   L = E / (1 - rho)                                        rho < 1                        (25.6)
+ *
+ *   series_sum(E, rho, n)         (25.5), E, rho >= 0, n >= 0
+ *   series_sum_naive(E, rho, n)   as it is written: 0/0 at rho = 1; at rho = 1 - 1e-9 half of the
+ *                                 digits, what 1 - rho^(n+1) is beyond its first term
+ *   series_whole(E, rho)          (25.6); rho >= 1: infinity, the series diverges (发散)
  *
  *   furnace_variance(N, rho, n)      variance of E = 1 in such a room, N uniform directions a hit
  *
@@ -21,9 +30,26 @@
 #define BOUNCES_FURNACE_H
 
 #include "../../24_direct_light/lit_scene.h"
-#include "series.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline real series_sum_naive(real E, real rho, real n)
+{
+    return E * (1 - pow(rho, n + 1)) / (1 - rho);
+}
+
+/* 1 - rho is exact for rho in [.5, 2]; below .5 log rho may be off, but rho^(n+1) is then small. */
+static inline real series_sum(real E, real rho, real n)
+{
+    real kept = 1 - rho;
+    if (kept == 0) return E * (n + 1);
+    return E * (-expm1((n + 1) * log1p(-kept)) / kept);
+}
+
+static inline real series_whole(real E, real rho)
+{
+    return rho < 1 ? E / (1 - rho) : E > 0 ? real_infinity : 0;
+}
 
 static inline void furnace_sphere(lit_scene *s, vec3 E, vec3 rho)
 {

@@ -9,6 +9,7 @@
 #define BOUNCES_MEASURE_H
 
 #include "../../24_direct_light/scenes/lit_cornell.h"
+#include "furnace.h"
 #include "measure_branches.h"
 
 /* ---------------------------------------------------------------------------------------------- */
