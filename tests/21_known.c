@@ -542,8 +542,8 @@ static void test_at_rest(void)
     distributed_draw(&v, &a, 2);
     check_equal(v.spent.drawn[DRAWN_TIME], 4 * columns * rows, "a time a sample, not a ray");
     size_t shadow = v.spent.rays.rays[RAY_SHADOW];
-    scene all = {still->ball, pool_balls};
-    world_part_free(&still->part[1]), world_part_of_scene(&all, MASK_ALL, &still->part[1]);
+    scene all = {still->shapes, 1 + pool_balls};
+    world_part_free(&still->part[0]), world_part_of_scene(&all, MASK_ALL, &still->part[0]);
     still->how.movers = 0;
     distributed_draw(&v, &b, 1);
     check_equal(v.spent.drawn[DRAWN_TIME], 0, "nothing moves, no number");

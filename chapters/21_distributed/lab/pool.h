@@ -14,10 +14,10 @@
 enum { pool_balls = 5, pool_moving = 2, pool_rest = pool_balls - pool_moving };
 
 typedef struct {
-    shape cloth[1], ball[pool_balls], lamps[2];
+    shape shapes[1 + pool_balls], *ball, lamps[2];  /* the cloth, and the balls */
     vec3 corner[12];
-    scene table, rest, fast[pool_moving], lit;
-    world_part part[3], fast_part[pool_moving];  /* cloth, balls at rest, lamps */
+    scene rest, fast[pool_moving], lit;
+    world_part part[2], fast_part[pool_moving];  /* cloth and balls at rest; lamps */
     trace_world w;
     moving moving[pool_moving];
     area_light light[2];
@@ -76,7 +76,7 @@ static inline pool *pool_new(double moves)
     const double f = 40;
     for (int k = 0; k < 4; k++)
         g->corner[k] = vec(k == 0 || k == 3 ? -f : f, k < 2 ? -f : f, 0);
-    g->cloth[0] = shape_of_polygon(polygon_of(g->corner, 4));
+    g->shapes[0] = shape_of_polygon(polygon_of(g->corner, 4)), g->ball = g->shapes + 1;
     for (int i = 0; i < pool_balls; i++)
         g->ball[i] = shape_of_sphere((sphere){vec(pool_ball[i].x, pool_ball[i].y, 1), 1});
     vec3 middle = {0, 0, 1};
@@ -85,12 +85,10 @@ static inline pool *pool_new(double moves)
     for (int k = 0; k < 2; k++)
         g->lamps[k] = shape_of_polygon(polygon_of(g->corner + 4 + 4 * k, 4));
     vec3 dusk = {(real)0.16, (real)0.13, (real)0.12};
-    g->table = (scene){g->cloth, 1}, g->lit = (scene){g->lamps, 2};
-    g->rest = (scene){g->ball, pool_rest};
-    world_part_of_scene(&g->table, MASK_ALL, &g->part[0]);
-    world_part_of_scene(&g->rest, MASK_ALL, &g->part[1]);
-    world_part_of_scene(&g->lit, MASK_SEEN, &g->part[2]);
-    g->w = (trace_world){g->part, 3};
+    g->rest = (scene){g->shapes, 1 + pool_rest}, g->lit = (scene){g->lamps, 2};
+    world_part_of_scene(&g->rest, MASK_ALL, &g->part[0]);
+    world_part_of_scene(&g->lit, MASK_SEEN, &g->part[1]);
+    g->w = (trace_world){g->part, 2};
     for (int k = 0; k < pool_moving; k++) {
         const double *way = pool_ball[pool_rest + k].way;
         g->fast[k] = (scene){g->ball + pool_rest + k, 1};
@@ -105,7 +103,7 @@ static inline pool *pool_new(double moves)
 
 static inline void pool_free(pool *g)
 {
-    for (int k = 0; k < 3; k++) world_part_free(&g->part[k]);
+    for (int k = 0; k < 2; k++) world_part_free(&g->part[k]);
     for (int k = 0; k < pool_moving; k++) world_part_free(&g->fast_part[k]);
     free(g);
 }
