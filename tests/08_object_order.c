@@ -268,6 +268,7 @@ static void test_depths(void)
     for (double far = 0.1; far < 2e4; far *= 10)
         check_at_most(gap_told(far), 1.2e-7 + 16 * (double)real_epsilon,
                       "walls at %g: told from an epsilon of float on", far);
+    check_equal(seen_before(2, 0), 0, "of two in one place the first one stays");
     float usual = (float)(1 - 0.01 / 1e3);
     check_close(1e3 / 0.01 * (double)(nextafterf(usual, 2) - usual), 0.006, 1e-4,
                 "at 1e5 near: a gap of 0.6 %% of z");
@@ -452,6 +453,11 @@ static void test_slanted(void)
         check_close((double)weight[(4 - k) % 3], 0.1, 32 * eps, "the weight of b, %u first", k);
         raster_free(&full);
     }
+    camera twice = {c.kind, c.e, c.u, c.v, c.w, 0, 2 * few, 0, 2 * few, 2, c.direction};
+    raster same = raster_new(few, few);  /* the picture twice as far away and as large: t halves */
+    raster_mesh(&same, &m, twice, raster_default);
+    check_close((double)same.h[7 * few + 8].t, 0.9, 32 * eps, "raster.h: in lengths of the ray's d");
+    raster_free(&same);
     check_close((double)h.u, 0.5, 32 * eps, "first.h: half the way in the picture");
     check_close((double)h.t, 5, 200 * eps, "first.h: half the depth");
     check_close((double)due.u, 0.1, 4 * eps, "raster.h: a tenth of the way in space");
