@@ -38,8 +38,9 @@ static inline double oracle_winding(csg_closed m, wide3 p)
         wide3 c = wide3_sub(wide3_of(m.tri[i].c), p);
         double la = wide_value(wide3_length(a)), lb = wide_value(wide3_length(b));
         double lc = wide_value(wide3_length(c)), det = wide_value(wide3_dot(a, wide3_cross(b, c)));
-        sum += 2 * atan2(det, la * lb * lc + la * wide_value(wide3_dot(b, c))
-                              + lb * wide_value(wide3_dot(c, a)) + lc * wide_value(wide3_dot(a, b)));
+        double ab = wide_value(wide3_dot(a, b)), bc = wide_value(wide3_dot(b, c));
+        double ca = wide_value(wide3_dot(c, a));
+        sum += 2 * atan2(det, la * lb * lc + la * bc + lb * ca + lc * ab);
     }
     return sum / (4 * 3.14159265358979323846);
 }
