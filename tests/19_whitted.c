@@ -7,9 +7,8 @@
 #include "../common/numbers/wide.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/19_whitted/scenes/forty.h"
+#include "../chapters/19_whitted/lab/pictures.h"
 #include "../chapters/19_whitted/lab/ray_tree.h"
-#include "../chapters/19_whitted/lab/tank.h"
-#include "../chapters/19_whitted/lab/two_spheres.h"
 #include "../chapters/19_whitted/lab/whitted_loop.h"
 
 /* ---- a small scene: shapes, each with a look ------------------------------------------------- */
@@ -29,7 +28,7 @@ static void looked(tracer *t, ray r, ray_tree *x)
     const whitted *w = t->user;
     whitted watched = *w;
     watched.log = ray_tree_begin(x), t->user = &watched;
-    whitted_ray(t, r, (media_set){0});
+    whitted_from_air(t, r);
     t->user = w;
 }
 
@@ -143,8 +142,7 @@ static void test_hall(void)
     for (int depth = 1; depth <= whitted_most_depth; depth *= 2) {
         s.w.depth = depth;
         t.counts = (trace_counts){0};
-        vec3 c = whitted_ray(&t, ray_from(vec(0.3, 0.2, 1), (vec3){0, 0, -5}),
-                             (media_set){0});
+        vec3 c = whitted_from_air(&t, ray_from(vec(0.3, 0.2, 1), (vec3){0, 0, -5}));
         int digits = real_is_float ? 23 : 52, levels = depth < digits ? depth : digits + 1;
         check_close(c.x, 2 - 2 * ldexp(1.0, -depth), levels > digits ? 2 * (double)real_epsilon : 0,
                     "a geometric series, depth %d", depth);
@@ -154,7 +152,7 @@ static void test_hall(void)
     }
     /* cut where the weight is at most 2^-10: what is missing is the rest of the series */
     s.w.depth = 256, s.w.least = (real)ldexp(1.0, -10);
-    vec3 c = whitted_ray(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 1}), (media_set){0});
+    vec3 c = whitted_from_air(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 1}));
     check_equal((double)c.x, 2 - 2 * ldexp(1.0, -10), "cut");
     stage_end(&s);
 
@@ -167,11 +165,11 @@ static void test_hall(void)
     for (size_t i = 0; i < check_count(100); i++) {
         random_stream q = random_start(8, i, 0);
         vec3 d = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q)};
-        c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), d), (media_set){0});
+        c = whitted_from_air(&t, ray_from(vec(5, 6.5, 8), d));
         check_close(c.x, 1 - pow(255.0 / 256, 256), 80 * (double)real_epsilon, "mirror ball");
     }
     b.w.depth = 1000;  /* no more than the stack has room for */
-    c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), (vec3){1, 2, 3}), (media_set){0});
+    c = whitted_from_air(&t, ray_from(vec(5, 6.5, 8), (vec3){1, 2, 3}));
     check_close(c.x, 1 - pow(255.0 / 256, 256), 80 * (double)real_epsilon, "depth at most 256");
     stage_end(&b);
 }
@@ -191,9 +189,9 @@ static void test_furnace(void)
     size_t n = 0;
     for (int y = 2; y < 32; y += 3)
         for (int x = 2; x < 32; x += 3, n++) {
-            double L = 0;
             k->w.depth = 13;
-            L = (double)whitted_ray(&t, camera_ray(c, (real)x, (real)y, 32, 32), (media_set){0}).x;
+            ray r = camera_ray(c, (real)x, (real)y, 32, 32);
+            double L = (double)whitted_from_air(&t, r).x;
             most = check_worse(most, L);
             mean += L;
         }
@@ -217,7 +215,7 @@ static void test_squeeze(void)
         random_stream q = random_start(12, i, 0);
         vec3 o = vscale((vec3){random_next(&q), random_next(&q), random_next(&q) / 2}, (real)0.4);
         vec3 d = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q)};
-        double L = (double)whitted_ray(&t, ray_from(o, d), (media_set){0}).x;
+        double L = (double)whitted_from_air(&t, ray_from(o, d)).x;
         worst = check_worse(worst, fabs(L - n * n));
     }
     check_at_most(worst, 256 * (double)real_epsilon, "an eye in glass under a sky of 1 sees n^2");
@@ -227,22 +225,21 @@ static void test_squeeze(void)
     stage_square(&p, (vec3){0, 0, 0}, 9, true, whitted_clear(1, 1));
     stage_square(&p, (vec3){0, 0, -1}, 9, true, floor);
     t = stage_begin(&p, 2);
-    double L = (double)whitted_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}),
-                                   (media_set){0}).x;
+    double L = (double)whitted_from_air(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1})).x;
     double R = pow(0.33 / 2.33, 2);
     check_close(L, (1 - R) / (1.33 * 1.33), 8 * (double)real_epsilon, "what shines in water");
     stage_end(&p);
 }
 
 /* Place i of a teapot with the normals of a smooth one, and a way past it, less than 3 degrees
- * above (side 1) or below (-1) the plane at right angles to n or, if `shading`, ns. False: a place
+ * above (side 1) or below (-1) the plane at right angles to n or, if `smooth`, ns. False: a place
  * without a normal. */
-static bool smoothed_place(const mesh *pot, random_stream *q, size_t i, bool shading, real side,
+static bool smoothed_place(const mesh *pot, random_stream *q, size_t i, bool smooth, real side,
                            whitted_place *p, vec3 *past)
 {
     hit h = {1, random_next(q) / 2, random_next(q) / 2, (uint32_t)(i * 7919 % pot->triangles)};
     p->s = surface_of_mesh(pot, h);
-    vec3 n = shading ? p->s.ns : p->s.n, u, v;
+    vec3 n = smooth ? p->s.ns : p->s.n, u, v;
     if (vzero(p->s.n)) return false;
     vbasis(n, &u, &v);
     real turn = 2 * pi * random_next(q), tilt = random_next(q) / 20;
@@ -403,10 +400,10 @@ static void test_on_table(void)
         stage_square(&s, (vec3){0, 0, 0}, 2, false, whitted_clear(1, 1));
         if (!first) stage_square(&s, (vec3){0, 0, 0}, 9, true, table);
         tracer t = stage_begin(&s, 2);
-        vec3 c = whitted_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        vec3 c = whitted_from_air(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}));
         check_close(c.z, 4 * 0.96 / 2.25, 16 * (double)real_epsilon, "the table through its glass");
         s.w.apart = true;
-        c = whitted_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        c = whitted_from_air(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}));
         if (!first) check_equal(c.z, 0, "face by face the table is not seen");
         stage_end(&s);
     }
@@ -463,7 +460,7 @@ static void test_touch(void)
         ray r = ray_from(vmadd(at, z, 3), vneg(z));
         for (int k = 0; k < 2; k++) {
             s.w.touch = k ? 32 * size * real_epsilon : 0;
-            double L = (double)whitted_ray(&t, r, (media_set){0}).x;
+            double L = (double)whitted_from_air(&t, r).x;
             lost[k] += !(fabs(L - 0.96 / 2.25) < 16 * (double)real_epsilon);
         }
         stage_end(&s);
@@ -509,7 +506,7 @@ static void test_inside(void)
     s.media[1] = (medium){1.5, {1, 2, 0}, 0}, s.w.background = (vec3){1, 1, 1};
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 2}), whitted_clear(1, 1));
     tracer t = stage_begin(&s, 2);
-    vec3 a = whitted_ray(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 3}), (media_set){0});
+    vec3 a = whitted_from_air(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 3}));
     check_close(a.x, 2.25 * 0.96 * exp(-1), 16 * (double)real_epsilon, "a way of 1 in glass");
     stage_end(&s);
     whitted_stage *k = tank_new();
@@ -529,7 +526,7 @@ static vec3 looked_at(whitted_material m, whitted *w, vec3 o, vec3 d)
     s.media[1] = (medium){1.5, {1, 0, 0}, 0};
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
     tracer t = stage_begin(&s, w->depth);
-    vec3 c = whitted_ray(&t, ray_from(o, d), (media_set){0});
+    vec3 c = whitted_from_air(&t, ray_from(o, d));
     stage_end(&s);
     return c;
 }
@@ -557,7 +554,7 @@ static void look_through(void *context)
     }
     tracer t = stage_begin(&s, 30);
     ray r = ray_from((vec3){0, 0, many->z}, (vec3){0, 0, -1});
-    printf("%.3f", (double)whitted_ray(&t, r, (media_set){0}).x);
+    printf("%.3f", (double)whitted_from_air(&t, r).x);
     stage_end(&s);
 }
 
@@ -596,7 +593,7 @@ static void test_looks(void)
     s.media[0].absorb = vec(0, 0.01, 1);
     stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_paint(0, 0, 0));
     tracer t = stage_begin(&s, 1);
-    c = whitted_ray(&t, ray_from(up, up), (media_set){0});
+    c = whitted_from_air(&t, ray_from(up, up));
     check(c.x == 1 && c.y == 0 && c.z == 0, "nothing is seen of the sky where it absorbs");
     stage_end(&s);
     /* A light through two bodies that keep a half and a quarter. */
@@ -606,7 +603,7 @@ static void test_looks(void)
     stage_add(&q, shape_of_sphere((sphere){{0, 0, 2}, 1}), whitted_clear(1, 0.5));
     stage_add(&q, shape_of_sphere((sphere){{0, 0, 5}, 1}), whitted_clear(2, 0.25));
     t = stage_begin(&q, 1);
-    c = whitted_ray(&t, ray_from((vec3){5, 0, 5}, (vec3){-1, 0, -1}), (media_set){0});
+    c = whitted_from_air(&t, ray_from((vec3){5, 0, 5}, (vec3){-1, 0, -1}));
     check_close(c.x, 0.125, 4 * eps, "both dim the light");
     stage_end(&q);
 }
@@ -630,9 +627,9 @@ static trace_counts ball_counts(const called_for *x)
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), x->m);
     tracer t = stage_begin(&s, x->depth);
     for (int i = 0; i < 10; i++)
-        whitted_ray(&t, x->inside ? ray_from(vec(0, 0.95, 0), (vec3){1, (real)i / 100, 0})
-                                  : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}),
-                    (media_set){0});
+        whitted_from_air(&t, x->inside
+                                 ? ray_from(vec(0, 0.95, 0), (vec3){1, (real)i / 100, 0})
+                                 : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}));
     stage_end(&s);
     return t.counts;
 }
@@ -667,24 +664,15 @@ static void test_called_for(void)
     }
 }
 
-static trace_counts shoot(const whitted_stage *s, camera c, image *im)
-{
-    tracer t = stage_tracer(s);
-    for (int y = 0; y < im->height; y++)
-        for (int x = 0; x < im->width; x++) {
-            ray r = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, im->width, im->height);
-            image_set(im, x, y, whitted_ray(&t, r, (media_set){0}));
-        }
-    return t.counts;
-}
-
 static void same_picture(const char *name, whitted_stage *s, camera c)
 {
     image a = image_new(24, 18), b = image_new(24, 18);
-    s->w.depth = 5, s->w.least = 0;
-    trace_counts few = shoot(s, c, &a);
-    s->w.spend_all = true;
-    trace_counts all = shoot(s, c, &b);
+    traced_view v = whitted_view(s, c, 24, 18);
+    trace_counts few = {0}, all = {0};
+    s->w.depth = 5, s->w.least = 0, v.counts = &few;
+    check(pixels_draw(&a, 1, 1, "", traced_colour, &v), "drawn");
+    s->w.spend_all = true, v.counts = &all;
+    check(pixels_draw(&b, 1, 1, "", traced_colour, &v), "all spent");
     check(memcmp(a.rgb, b.rgb, sizeof(float) * 3 * 24 * 18) == 0, "%s: the same bytes", name);
     size_t less = 0, more = 0;
     for (int k = 0; k < RAY_SIGHT; k++) {
@@ -716,10 +704,10 @@ static void test_cut(void)
         real y = 100 * random_next(&s), x = 100 * random_next(&s);
         ray r = camera_ray(c, x, y, 100, 100);
         w->depth = 40, w->least = 0;
-        vec3 all = whitted_ray(&t, r, (media_set){0});
+        vec3 all = whitted_from_air(&t, r);
         w->least = 0.001;
         t.counts = (trace_counts){0};
-        vec3 cut = whitted_ray(&t, r, (media_set){0});
+        vec3 cut = whitted_from_air(&t, r);
         size_t branches = t.counts.rays[RAY_REFLECTION] + t.counts.rays[RAY_REFRACTION] + 1;
         /* each ray leaves at most two cut branches of at most 0.001 each, times at most 1.5 */
         double lost = (double)(all.x - cut.x);
@@ -743,7 +731,7 @@ static void test_loop(const char *name, stage *w, camera c)
         random_stream s = random_start(10, i, 0);
         real y = 75 * random_next(&s), x = 100 * random_next(&s);
         ray r = camera_ray(c, x, y, 100, 75);
-        vec3 u = whitted_ray(&a, r, (media_set){0}), v = whitted_ray_loop(&b, r, (media_set){0});
+        vec3 u = whitted_from_air(&a, r), v = whitted_ray_loop(&b, r, (media_set){0});
         worst = check_worse(worst, (double)(vlength(vsub(u, v)) / (1 + vlength(u))));
     }
     check_at_most(worst, 64 * (double)real_epsilon, "%s: loop against recursion", name);
