@@ -5,7 +5,6 @@
 #include "../chapters/17_compare/lab/orders.h"
 #include "../chapters/17_compare/lab/settings.h"
 #include "../chapters/17_compare/lab/summary.h"
-#include "../chapters/17_compare/lab/sweep.h"
 #include "../chapters/06_csg/lab/csg_oracle.h"
 #include "child.h"
 #include "program.h"

@@ -1,14 +1,18 @@
-/* compare.h: the structures on one scene: built, and proved to give the same answers.
+/* compare.h: the structures on one scene: built, asked, and proved to give the same answers.
  *
  *   comparison s;
- *   compare_begin(&s, &w, &chosen, most_bytes, rounds) builds all that are chosen, each up to
- *                                                     `rounds` times, until a quarter of a second
- *                                                     has passed; all together hold at most
- *                                                     most_bytes
- *   compare_rays(&s, n, seed)             the four kinds of rays, n of each if there
- *                                                     are so many: kinds.h; or s.share of n
+ *   compare_begin(&s, &w, &chosen, most_bytes, rounds)   builds all that are chosen, each up to
+ *                          `rounds` times, until a quarter of a second has passed; all together
+ *                          hold at most most_bytes
+ *   compare_rays(&s, n, seed)                            the four kinds of rays, n of each if there
+ *                          are so many; or s.share of n
  *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
- *   compare_end(&s)                                   the world stays the caller's
+ *   compare_end(&s)        the world stays the caller's; numbers stay, for tables and plots
+ *
+ * Kinds: primary (主光线), edge x edge from the eye; from each of their hits on shadow (阴影光线), to
+ * each light that its surface faces: is anything between? diffuse (漫反射), by the cosine law; mirror
+ * (镜面反射). These begin off the surface, by 1e-4 of their distance from the eye, on the side that it
+ * sees. Those to prove answers with: 09_aabb/trials/borders.h.
  *
  * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for up to `most`
  * rays of every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few
@@ -18,9 +22,8 @@
  *
  * share: no structure parts triangles that lie in one place, and each ray asks them all, as many
  * times as there are structures and turns. So a few aimed rays tell how many steps and tests a ray
- * takes; the mean of all but the slowest, so that this one changes nothing for the others.
- * Where it is more than compare_usual_work all have fewer rays, the same for all, to be timed and
- * to be proved: share times as many, but compare_least.
+ * takes; the mean of all but the slowest, so that this one changes nothing for the others. Where it
+ * is more than compare_usual_work all have fewer rays, share times as many, but compare_least.
  *
  * Times here are those that this thread had a processor for (work_seconds), so that other work of
  * the machine counts little. BENCH_ONCE (bench.h): built once.
@@ -28,22 +31,16 @@
 #ifndef COMPARE_LAB_COMPARE_H
 #define COMPARE_LAB_COMPARE_H
 
-#include "explain.h"
+#include "../../09_aabb/trials/borders.h"
 #include "html.h"
-#include "kinds.h"
+#include "knobs.h"
+#include "proof.h"
 
-/* Structures with their options; label: what --only said, "bvh:leaf=8". out: it has its place, but
- * is not built. */
-typedef struct {
-    const contender *c;
-    contender_settings how;
-    char label[44];
-    bool out;
-} compare_choice;
-enum { compare_most = 48, compare_usual_rays = 20000 };
-/* Needles take 1200 in the mean of all; no other scene of the book has a tenth of that. */
-enum { compare_sample = 64, compare_least = 64, compare_usual_work = 2000 };
-typedef struct { compare_choice of[compare_most]; int n; } line_up;
+typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, compare_kinds } compare_kind;
+static const char *const kind_name[compare_kinds] = {"primary", "shadow", "diffuse", "mirror"};
+/* Needles take 1200 steps and tests in the mean of all; no other scene of the book a tenth of it. */
+enum { compare_usual_rays = 20000, compare_sample = 64, compare_least = 64,
+       compare_usual_work = 2000 };
 
 /* What is common to all that a run does. */
 typedef struct {
@@ -86,27 +83,33 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void choose(line_up *all, const contender *c)
+static inline ray_set rays_view(const world *w, int edge)
 {
-    if (all->n == compare_most) die(2, "%d structures at once are the most", (int)compare_most);
-    compare_choice *p = &all->of[all->n++];
-    *p = (compare_choice){.c = c};
-    snprintf(p->label, sizeof p->label, "%.40s", c->name);
+    ray_set s = {allocate((size_t)edge * (size_t)edge, sizeof(ray)), 0};
+    for (int j = 0; j < edge; j++)
+        for (int i = 0; i < edge; i++) {
+            real x = ((real)i + (real)0.5) / (real)edge, y = ((real)j + (real)0.5) / (real)edge;
+            s.r[s.n++] = world_ray(w, 2 * x - 1, 1 - 2 * y);
+        }
+    return s;
 }
 
-/* Those that take part without being asked for. */
-static inline line_up choose_usual(void)
+static inline ray_set rays_on(const world *w, compare_kind kind, const ray_set *eye,
+                              const hit *hits, uint64_t seed)
 {
-    line_up all = {.n = 0};
-    for (int k = 0; k < contenders; k++)
-        if (contender_list[k]->role != CONTENDER_NAMED) choose(&all, contender_list[k]);
-    return all;
-}
-
-/* Neither brute force nor a first version: they must be right, and count their steps. */
-static inline bool contender_counts(const contender *c)
-{
-    return c != &brute_contender && !contender_is_first(c);
+    size_t each = kind == KIND_SHADOW ? (size_t)w->lights : 1;
+    ray_set s = {allocate(eye->n * each, sizeof(ray)), 0};
+    for (size_t i = 0; i < eye->n; i++) {
+        random_stream g = random_start(seed, i, 0);
+        if (hits[i].shape == no_shape) continue;
+        vec3 d = eye->r[i].d, n = world_normal(w, hits[i], ray_at(eye->r[i], hits[i].t));
+        vec3 p = leave_surface(eye->r[i], hits[i].t, &n);
+        for (int k = 0; k < w->lights && kind == KIND_SHADOW; k++)
+            if (vdot(n, vsub(w->light[k], p)) > 0) s.r[s.n++] = ray_between(p, w->light[k]);
+        if (kind == KIND_DIFFUSE) s.r[s.n++] = ray_from(p, diffuse_direction(n, &g));
+        if (kind == KIND_MIRROR) s.r[s.n++] = ray_from(p, vmadd(d, n, -2 * vdot(d, n)));
+    }
+    return s;
 }
 
 static inline bool entry_counts(const compare_entry *e)
@@ -114,13 +117,14 @@ static inline bool entry_counts(const compare_entry *e)
     return e->fits && contender_counts(e->c);
 }
 
-/* Of those chosen. */
-static inline line_up choose_counting(const line_up *chosen)
+/* Steps and tests of some rays, added to w; how many hit. */
+static inline size_t entry_work(const compare_entry *e, const ray_set *rays, bool any,
+                                search_work *w)
 {
-    line_up some = {.n = 0};
-    for (int k = 0; k < chosen->n; k++)
-        if (contender_counts(chosen->of[k].c)) some.of[some.n++] = chosen->of[k];
-    return some;
+    size_t hits = 0;
+    hit h;
+    for (size_t i = 0; i < rays->n; i++) hits += e->c->counted(e->s, rays->r[i], any, &h, w);
+    return hits;
 }
 
 /* Of this thread, on a processor. */
@@ -171,7 +175,7 @@ static inline void compare_end(comparison *s)
 {
     for (compare_entry *e = s->entry; e < s->entry + s->entries; e++)
         contender_free(e->c, e->s), e->s = NULL;
-    for (int k = 0; k < compare_kinds; k++) free(s->rays[k].r), s->rays[k].r = NULL;
+    for (int k = 0; k < compare_kinds; k++) free(s->rays[k].r), s->rays[k].r = NULL;  /* n stays */
 }
 
 /* For things on the way: the eight wide tree, which is quick everywhere, or the BVH; or the first
@@ -204,8 +208,10 @@ static inline size_t compare_rays_on(comparison *s, ray_set *eye, uint64_t seed)
     hit *h = allocate(eye->n, sizeof *h);
     for (size_t i = 0; i < eye->n; i++) h[i] = hit_none;
     if (e) e->c->search(e->s, eye->r, eye->n, false, h);
-    for (compare_kind k = KIND_SHADOW; k < compare_kinds; k++)
+    for (compare_kind k = KIND_SHADOW; k < compare_kinds; k++) {
+        rays_free(&s->rays[k]);
         s->rays[k] = rays_on(s->w, k, eye, h, seed);
+    }
     free(h);
     size_t shadow = s->rays[KIND_SHADOW].n, diffuse = s->rays[KIND_DIFFUSE].n;
     return shadow < diffuse ? shadow : diffuse;
@@ -216,13 +222,12 @@ static inline void compare_weigh(comparison *s, uint64_t seed)
 {
     double sum = 0, most = 0;
     int n = 0;
-    hit h;
     ray_set some = rays_aimed(s->w, compare_sample, seed);
     for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
         if (!entry_counts(e)) continue;
         search_work w = {0, 0, 0, 0};
         compare_progress(s->w->name, "weighing", e->choice->label);
-        for (size_t i = 0; i < some.n; i++) e->c->counted(e->s, some.r[i], false, &h, &w);
+        entry_work(e, &some, false, &w);
         double each = some.n ? (double)(w.nodes + w.tests) / (double)some.n : 0;
         sum += each, most = fmax(most, each), n++;
     }
@@ -262,7 +267,6 @@ static inline void compare_rays(comparison *s, size_t n, uint64_t seed)
         if (least == 0 || least >= n || across >= 4 * edge) break;
         int wider = (int)((double)across * sqrt((double)n / (double)least)) + 1;
         across = wider < 4 * edge ? wider : 4 * edge;
-        for (int k = KIND_SHADOW; k < compare_kinds; k++) rays_free(&s->rays[k]);
     }
     s->rays[KIND_PRIMARY] = rays_view(s->w, edge);
     for (int k = 0; k < compare_kinds; k++) {

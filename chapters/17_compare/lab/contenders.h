@@ -2,19 +2,14 @@
  * 09_aabb/structure.h makes of it, is one #include and one line of the list below; example.h is a
  * whole one, to begin with.
  *
- *   LINE(id, "name", X, options, role)
- *      id         of its own
- *      "name"     in tables and for --only
- *      X          prefix of its verbs and name of its type
- *      options    X_options, which have a member most_bytes; may depend on x, the items
- *   ALSO(..)      the same for an X that has a LINE: other options, the same code
- *
- *      role       CONTENDER_USUAL    in every table, plot, picture and proof
- *                 CONTENDER_FIRST    likewise, but may be wrong: counted, marked, and no error
- *                 CONTENDER_NAMED    only if asked for
+ *   LINE(id, "name", X, options, role)     id of its own; name for tables and --only; X is the type
+ *                                          and the prefix of its verbs; X_options have a member
+ *                                          most_bytes, and may depend on x, the items
+ *   ALSO(..)                               an X that has a LINE, with other options
  *
  *   const contender *c = contender_find("octree");     NULL: no such name
- *   void *s = contender_build(c, &how, &x, most_bytes, &f);  NULL: it does not fit, f says so
+ *   void *s = contender_build(c, &how, &x, most_bytes, &f);  NULL: it does not fit, f says so; how:
+ *                                                      members that were set from outside (knobs.h)
  *   c->hit(s, r, &h) ...                               the verbs
  *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's search
  *                                                      inlined; returns the number of hits. any:
@@ -23,8 +18,6 @@
  *                                                      is proved is what is timed
  *   c->counted(s, r, any, &h, &w)                      is there a hit? What it took goes to w
  *   contender_free(c, s)
- *
- * how: members of its X_options that were set from outside (knobs.h knows their names).
  */
 #ifndef COMPARE_CONTENDERS_H
 #define COMPARE_CONTENDERS_H
@@ -35,9 +28,8 @@
 #include "../../11_octree/octree.h"
 #include "../../12_kdtree/kdtree.h"
 #include "../../13_bsp/bsp.h"
-#include "brute.h"
 #include "../example.h"
-#include "first_items.h"
+#include "oracles.h"
 
 /* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */
 #ifdef MINE
@@ -57,13 +49,13 @@
     LINE(brute, "brute", brute, ((brute_options){0}), CONTENDER_USUAL)                            \
     LINE(grid, "grid", grid, grid_defaults, CONTENDER_USUAL)                                      \
     LINE(nested, "nested", nested, nested_defaults, CONTENDER_USUAL)                              \
-    LINE(octree, "octree", octree, octree_how_for(x), CONTENDER_USUAL)                            \
-    LINE(kdtree, "kdtree", kdtree, kdtree_how_for(x), CONTENDER_USUAL)                            \
-    LINE(bsp, "bsp", bsp, bsp_how_for(x), CONTENDER_USUAL)                                        \
-    LINE(bvh, "bvh", bvh, bvh_how_for(x, "sah"), CONTENDER_USUAL)                                 \
-    ALSO(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), CONTENDER_USUAL)                \
-    ALSO(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
-    LINE(wide, "wide", bvh8, bvh8_how_alone(), CONTENDER_USUAL)                                   \
+    LINE(octree, "octree", octree, octree_how(x), CONTENDER_USUAL)                                \
+    LINE(kdtree, "kdtree", kdtree, kdtree_how(x), CONTENDER_USUAL)                                \
+    LINE(bsp, "bsp", bsp, bsp_how(x), CONTENDER_USUAL)                                            \
+    LINE(bvh, "bvh", bvh, bvh_how(x), CONTENDER_USUAL)                                            \
+    ALSO(bvh_morton, "bvh-morton", bvh, bvh_morton_how(x), CONTENDER_USUAL)                       \
+    ALSO(bvh_spatial, "bvh-spatial", bvh, bvh_spatial_how(x), CONTENDER_USUAL)                    \
+    LINE(wide, "wide", bvh8, wide_how(x), CONTENDER_USUAL)                                        \
     LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
     CONTENDER_MINE(LINE)                                                                          \
     LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
@@ -77,6 +69,8 @@
     ALSO(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), CONTENDER_NAMED)          \
     ALSO(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), CONTENDER_NAMED)
 
+/* In every table, plot, picture and proof; likewise, but may be wrong: counted, marked, no error;
+ * only if asked for. */
 typedef enum { CONTENDER_USUAL, CONTENDER_FIRST, CONTENDER_NAMED } contender_role;
 
 /* A member of X_options: how far from its beginning, of which type, and its value. */
@@ -100,42 +94,21 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline octree_options octree_how_for(const items *x)
-{
-    octree_options how = octree_defaults;
-    how.leaf /= shape_cost(x);
-    return how;
-}
-
-static inline kdtree_options kdtree_how_for(const items *x)
-{
-    kdtree_options how = kdtree_defaults;
-    how.item_cost *= shape_cost(x);
-    return how;
-}
-
-static inline bsp_options bsp_how_for(const items *x)
-{
-    bsp_options how = bsp_defaults;
-    how.axis_cost /= shape_cost(x), how.slanted_cost /= shape_cost(x);
-    return how;
-}
-
-static inline bvh_options bvh_how_for(const items *x, const char *rule)
-{
-    bvh_options how = bvh_defaults;
-    how.rule = rule;
-    how.item_cost *= shape_cost(x);
-    return how;
-}
-
-/* Built by one thread, as the others are. */
-static inline bvh8_options bvh8_how_alone(void)
-{
-    bvh8_options how = bvh8_defaults;
-    how.threads = 1;
-    return how;
-}
+/* The defaults of X, but for something. */
+#define CONTENDER_HOW(id, X, change)                                                            \
+    static inline X##_options id##_how(const items *x)                                          \
+    {                                                                                           \
+        X##_options how = X##_defaults;                                                         \
+        (void)x, change;                                                                        \
+        return how;                                                                             \
+    }
+CONTENDER_HOW(octree, octree, how.leaf /= shape_cost(x))
+CONTENDER_HOW(kdtree, kdtree, how.item_cost *= shape_cost(x))
+CONTENDER_HOW(bsp, bsp, (how.axis_cost /= shape_cost(x), how.slanted_cost /= shape_cost(x)))
+CONTENDER_HOW(bvh, bvh, (how.rule = "sah", how.item_cost *= shape_cost(x)))
+CONTENDER_HOW(bvh_morton, bvh, (how.rule = "morton", how.item_cost *= shape_cost(x)))
+CONTENDER_HOW(bvh_spatial, bvh, (how.rule = "spatial", how.item_cost *= shape_cost(x)))
+CONTENDER_HOW(wide, bvh8, how.threads = 1)  /* built by one, as the others are */
 
 static inline void contender_set(void *members, const contender_settings *how)
 {

@@ -3,15 +3,11 @@
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
  *   cost_kind(&s, kind, turns, most_work)   one kind; most_work: cost_full, cost_few
  *   cost_table(&s, to)              a table of the scene, and who is cheapest for how many rays
- *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
- *
- * The columns are those in which the literature compares (Havran 2000), in short names:
- *
- *   inner, leaves, empty  N_G, N_E, N_EE: inner nodes; leaves or cells; those with nothing in them
- *   references            N_ER: entries in all leaves; over the shapes: how often one is cut
- *   tests/ray             N_IT: shapes tested
- *   nodes/ray             N_TS: steps: inner nodes passed, of a grid cells (14: pairs of boxes)
- *   build, and ns         T_B, T_R
+ *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns,
+ *                                   in which the literature compares (Havran 2000): MEASURED.md
+ *   sweep_run(&s, to)               a table and a plot: who is on the Pareto front of building and
+ *                                   searching? A point with another below and to its left is not:
+ *                                   that structure is never worth building here
  *
  * One rule for all. A turn: a quarter of the rays, untimed, so that the structure is in the cache
  * again; then all of them, timed. Steps and tests are counted with that quarter. A median of 20,000
@@ -24,8 +20,7 @@
 #define COMPARE_LAB_COSTS_H
 
 #include "../../../common/lab/bench.h"
-#include "../../../common/lab/report.h"
-#include "knobs.h"
+#include "compare.h"
 
 #define cost_columns                                                                            \
     "scene|structure|kind|rays|hits|build_s|bytes|peak_bytes|inner|leaves|empty|references|depth|" \
@@ -38,16 +33,16 @@ static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 enum { cost_most_turns = 9, cost_sample = 64 };
 static const double cost_full = 4e7, cost_few = 2e6;  /* steps and tests */
 
+/* Of one structure: its rays, those that warm it, and the seconds of its turns. */
+typedef struct { ray_set all, warm; double seconds[cost_most_turns]; int done; } cost_turns;
+
 /* Steps, tests and hits of some rays; seconds. */
 static inline double cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
 {
-    search_work w = {0, 0, 0, 0};
-    hit h;
     double start = work_seconds();
-    e->hits[kind] = 0;
-    for (size_t i = 0; i < some->n; i++)
-        e->hits[kind] += e->c->counted(e->s, some->r[i], kind == KIND_SHADOW, &h, &w);
-    e->work[kind] = w, e->counted[kind] = e->rays[kind] = some->n;
+    e->work[kind] = (search_work){0, 0, 0, 0};
+    e->hits[kind] = entry_work(e, some, kind == KIND_SHADOW, &e->work[kind]);
+    e->counted[kind] = e->rays[kind] = some->n;
     return work_seconds() - start;
 }
 
@@ -57,43 +52,52 @@ static inline ray_set cost_rays(const ray_set *all, size_t n, double work, doubl
     return rays_some(all, work < each * (double)n ? (size_t)(work / each) + 1 : n);
 }
 
+static inline cost_turns cost_begin(compare_entry *e, compare_kind kind, const ray_set *rays,
+                                    double most_work)
+{
+    cost_turns t = {.done = 0};
+    ray_set some = rays_some(rays, cost_sample);
+    cost_count(e, kind, &some);
+    double each = per((double)(e->work[kind].nodes + e->work[kind].tests), some.n);
+    t.all = cost_rays(rays, rays->n, most_work, each);
+    t.warm = cost_rays(&t.all, t.all.n / 4 + 1, cost_few, each);
+    t.seconds[0] = cost_count(e, kind, &t.warm);
+    if (getenv("BENCH_ONCE")) t.seconds[t.done++] *= per((double)t.all.n, t.warm.n);
+    e->rays[kind] = t.all.n;
+    rays_free(&some);
+    return t;
+}
+
+static inline void cost_turn(compare_entry *e, compare_kind kind, cost_turns *t, hit *out)
+{
+    bool any = kind == KIND_SHADOW;
+    e->c->search(e->s, t->warm.r, t->warm.n, any, out);
+    double start = work_seconds();
+    e->hits[kind] = e->c->search(e->s, t->all.r, t->all.n, any, out);
+    t->seconds[t->done++] = work_seconds() - start;
+}
+
 /* turns [1, 9] */
 static inline void cost_kind(comparison *s, compare_kind kind, int turns, double most_work)
 {
-    double seconds[compare_most][cost_most_turns];
-    ray_set all[compare_most], warm[compare_most];
+    cost_turns of[compare_most];
     hit *out = allocate(s->rays[kind].n, sizeof *out);
-    bool any = kind == KIND_SHADOW, once = getenv("BENCH_ONCE");
-    int done[compare_most] = {0};
+    compare_entry *e = s->entry;
     for (int k = 0; k < s->entries; k++) {
-        compare_entry *e = &s->entry[k];
-        if (!e->s) continue;
-        compare_progress(s->w->name, "counting", e->choice->label);
-        ray_set some = rays_some(&s->rays[kind], cost_sample);
-        cost_count(e, kind, &some);
-        double each = per((double)(e->work[kind].nodes + e->work[kind].tests), some.n);
-        all[k] = cost_rays(&s->rays[kind], s->rays[kind].n, most_work, each);
-        warm[k] = cost_rays(&all[k], all[k].n / 4 + 1, cost_few, each);
-        rays_free(&some);
-        seconds[k][0] = cost_count(e, kind, &warm[k]);
-        if (once) seconds[k][0] *= per((double)all[k].n, warm[k].n), done[k] = 1;
-        e->rays[kind] = all[k].n;
+        compare_progress(s->w->name, "counting", e[k].choice->label);
+        if (e[k].s) of[k] = cost_begin(&e[k], kind, &s->rays[kind], most_work);
     }
-    for (int turn = 0; turn < turns && !once; turn++)
+    for (int turn = 0; turn < turns && !getenv("BENCH_ONCE"); turn++)
         for (int k = 0; k < s->entries; k++) {
-            compare_entry *e = &s->entry[k];
-            if (!e->s || (turn > 2 && turn * seconds[k][0] > 1)) continue;
-            compare_progress(s->w->name, "timing", e->choice->label);
-            e->c->search(e->s, warm[k].r, warm[k].n, any, out);
-            double start = work_seconds();
-            e->hits[kind] = e->c->search(e->s, all[k].r, all[k].n, any, out);
-            seconds[k][done[k]++] = work_seconds() - start;
+            compare_progress(s->w->name, "timing", e[k].choice->label);
+            if (e[k].s && (turn < 3 || turn * of[k].seconds[0] <= 1))
+                cost_turn(&e[k], kind, &of[k], out);
         }
     for (int k = 0; k < s->entries; k++) {
-        compare_entry *e = &s->entry[k];
-        if (!e->s) continue;
-        if (done[k]) e->seconds[kind] = bench_median(seconds[k], done[k], &e->spread[kind]);
-        rays_free(&all[k]), rays_free(&warm[k]);
+        cost_turns *t = &of[k];
+        if (!e[k].s) continue;
+        if (t->done) e[k].seconds[kind] = bench_median(t->seconds, t->done, &e[k].spread[kind]);
+        rays_free(&t->all), rays_free(&t->warm);
     }
     compare_progress(s->w->name, NULL, NULL);
     free(out);
@@ -119,16 +123,6 @@ static inline double cost_mean(const comparison *s, const compare_entry *e)
         sum += cost_ns(e, k) * 1e-9 * (double)s->rays[k].n;
         n += s->rays[k].n;
     }
-    return per(sum, n);
-}
-
-/* How far the medians are to be believed: the mean of the kinds' spreads. */
-static inline double cost_spread(const compare_entry *e)
-{
-    double sum = 0;
-    size_t n = 0;
-    for (int k = 0; k < compare_kinds; k++)
-        if (e->rays[k]) sum += e->spread[k], n++;
     return per(sum, n);
 }
 
@@ -161,17 +155,16 @@ static inline const compare_entry *cost_next(const comparison *s, const compare_
 static inline void cost_cheapest(const comparison *s, html_report *to)
 {
     const compare_entry *now = NULL;
-    char text[4096];
+    char text[4096];  /* of 48 at most: there is room */
     double from = 0;
     for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
         if (!e->fits || contender_is_first(e->c)) continue;
         if (!now || e->build + cost_mean(s, e) < now->build + cost_mean(s, now)) now = e;
     }
     if (!now) return;
-    int n = snprintf(text, sizeof text, "cheapest in all: %s", now->choice->label);
-    while ((now = cost_next(s, now, &from)) != NULL)  /* of 48 at most: there is room */
-        n += snprintf(text + n, sizeof text - (size_t)n, ", from %.2g rays on %s", from,
-                      now->choice->label);
+    snprintf(text, sizeof text, "cheapest in all: %s", now->choice->label);
+    while ((now = cost_next(s, now, &from)) != NULL)
+        text_add(text, sizeof text, ", from %.2g rays on %s", from, now->choice->label);
     html_note(to, "%s", text);
 }
 
@@ -205,17 +198,15 @@ static inline void cost_print_wrong(const compare_entry *e, html_report *to)
 /* Whom most_work gave fewer rays than the scene has of a kind, and the fewest of theirs. */
 static inline void cost_say_fewer(const comparison *s, html_report *to)
 {
-    char text[4096];
-    int n = 0;
+    char text[4096] = "";
     for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
         size_t least = SIZE_MAX;
         for (int k = 0; k < compare_kinds; k++)
             if (e->fits && e->rays[k] < s->rays[k].n && e->rays[k] < least) least = e->rays[k];
-        if (least < SIZE_MAX)  /* of 48 at most: there is room */
-            n += snprintf(text + n, sizeof text - (size_t)n, "%s %s %zu", n ? "," : "",
-                          e->choice->label, least);
+        if (least < SIZE_MAX)
+            text_add(text, sizeof text, "%s %s %zu", *text ? "," : "", e->choice->label, least);
     }
-    if (n) html_note(to, "fewer rays of a kind, at %.0g steps and tests:%s", cost_full, text);
+    if (*text) html_note(to, "fewer rays of a kind, at %.0g steps and tests:%s", cost_full, text);
 }
 
 static inline void cost_table(const comparison *s, html_report *to)
@@ -261,6 +252,50 @@ static inline void cost_csv(table *t, const comparison *s)
     for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
         for (compare_kind k = 0; k < compare_kinds; k++)
             if (e->rays[k] || !e->fits) cost_csv_row(t, s, e, kind_name[k], k);
+}
+
+/* Nobody is as quick at both, and quicker at one. A twentieth is noise: two builds of the same tree
+ * differ by that. */
+static inline bool sweep_on_front(const comparison *s, const compare_entry *e)
+{
+    double build = e->build, mean = cost_mean(s, e);
+    for (const compare_entry *b = s->entry; b < s->entry + s->entries; b++) {
+        double its = cost_mean(s, b);
+        if (entry_counts(b) && b->build <= 1.05 * build && its <= 1.05 * mean
+            && (b->build < 0.95 * build || its < 0.95 * mean)) return false;
+    }
+    return true;
+}
+
+static inline void sweep_run(const comparison *s, html_report *to)
+{
+    char title[120];
+    double front[compare_most][2];
+    int n = 0;
+    snprintf(title, sizeof title, "Building against searching: %.40s of %zu", s->name, s->x.n);
+    table t = table_new(title, "structure|B/shape|nodes/ray|tests/ray|build [ms]|a ray [ns]|"
+                               "on the front");
+    plot p = plot_new("Building against searching", "building [ms]", "a ray, time [ns]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    int swept = plot_series(&p, "swept"), fronts = plot_series(&p, "Pareto front");
+    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
+        double nodes, tests, build = e->build * 1e3, ns = cost_mean(s, e) * 1e9;
+        bool on = sweep_on_front(s, e);
+        if (!entry_counts(e)) continue;
+        cost_work(e, &nodes, &tests);
+        const double cell[] = {per((double)e->stats.bytes, s->x.n), nodes, tests, build, ns};
+        table_text(&t, "%s", e->choice->label);
+        for (int k = 0; k < 5; k++) table_number(&t, cell[k]);
+        table_text(&t, "%s", on ? "yes" : "");
+        if (on) front[n][0] = build, front[n++][1] = ns;
+        if (e->choice->how.n) plot_add(&p, swept, build, ns);
+        else if (p.series < plot_most_series)
+            plot_add(&p, plot_series(&p, e->choice->label), build, ns);
+    }
+    qsort(front, (size_t)n, sizeof *front, clock_order);  /* by the first: building */
+    for (int k = 0; k < n; k++) plot_add(&p, fronts, front[k][0], front[k][1]);
+    html_table(to, &t);
+    html_plot(to, &p, "17_compare_sweep_time.svg");
 }
 
 #endif

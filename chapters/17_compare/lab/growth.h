@@ -12,6 +12,7 @@
 #ifndef COMPARE_LAB_GROWTH_H
 #define COMPARE_LAB_GROWTH_H
 
+#include "../../07_mesh/scenes/named.h"
 #include "summary.h"
 
 enum { growth_sizes = 8 };  /* 64 n^2 - 8 n triangles each */
@@ -77,10 +78,10 @@ static inline void growth_print(const measured_scenes *m, html_report *to)
         double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
         const compare_choice *c = &m->chosen->of[k];
         int n = growth_points(m, k, x, y, steps);
-        char more[60] = "";
-        if (!contender_is_first(c->c))  /* which count no steps */
-            snprintf(more, sizeof more, ", %.3g more steps a doubling", bench_slope(x, steps, n));
-        if (n > 1) html_note(to, "%-12s a ray ~ n^%.2f%s", c->label, bench_slope(x, y, n), more);
+        if (n > 1)  /* first versions count no steps */
+            html_note(to, contender_is_first(c->c) ? "%-12s a ray ~ n^%.2f"
+                      : "%-12s a ray ~ n^%.2f, %.3g more steps a doubling", c->label,
+                      bench_slope(x, y, n), bench_slope(x, steps, n));
         if (!contender_counts(c->c) || p.series == plot_most_series) continue;
         int series = plot_series(&p, c->label);
         for (int i = 0; i < n; i++) plot_add(&p, series, exp2(x[i]), 1e9 * exp2(y[i]));

@@ -18,15 +18,12 @@ typedef struct {
     const options *o;
     file_writer file;
     const char *path;
-    FILE *body;  /* kept, in `text`, until the end */
+    FILE *body;  /* kept, in `text`, until the end; NULL: there is no report */
     char *text;
     size_t size;
 } html_report;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* NULL: there is no report. */
-static inline FILE *html_file(const html_report *r) { return r->body; }
 
 static inline void html_escaped(FILE *out, const char *text)
 {
@@ -35,7 +32,7 @@ static inline void html_escaped(FILE *out, const char *text)
         else putc(*text, out);
 }
 
-/* Where the system says: its name for the processor. */
+/* The processor's name, where the system says it. */
 static inline void html_processor(FILE *out)
 {
     char line[256];
@@ -101,7 +98,7 @@ static inline void html_tag(FILE *out, const char *tag, const char *text)
 
 static inline void html_element(const html_report *r, const char *tag, const char *text)
 {
-    html_tag(html_file(r), tag, text);
+    html_tag(r->body, tag, text);
 }
 
 static inline void html_first(const html_report *r, const char *tag, const char *text)
@@ -123,16 +120,16 @@ static inline void html_note(const html_report *r, const char *format, ...)
 
 static inline void html_table(const html_report *r, table *t)
 {
-    FILE *out = html_file(r);
+    FILE *out = r->body;
     html_element(r, "h3", t->title);
     if (out) fprintf(out, "<div class=\"wide\"><table>\n");
     for (size_t i = 0; out && i < t->n; i++) {
         size_t column = i % t->columns;
-        const char *cell = i < t->columns ? "th" : "td";
-        fprintf(out, "%s<%s%s>", column ? "" : "<tr>", cell,
+        fprintf(out, "%s<%s%s>", column ? "" : "<tr>", i < t->columns ? "th" : "td",
                 t->number[column] ? " class=\"n\"" : "");
         html_escaped(out, t->cell[i]);
-        fprintf(out, "</%s>%s", cell, column + 1 == t->columns ? "</tr>\n" : "");
+        fprintf(out, "</%s>%s", i < t->columns ? "th" : "td",
+                column + 1 == t->columns ? "</tr>\n" : "");
     }
     if (out) fprintf(out, "</table></div>\n");
     output_extra_table(r->o, t);
@@ -141,8 +138,8 @@ static inline void html_table(const html_report *r, table *t)
 /* On a narrow screen it is scrolled rather than shrunk. */
 static inline void html_plot(const html_report *r, plot *p, const char *name)
 {
-    FILE *out = html_file(r);
-    if (out) fprintf(out, "<div class=\"wide\">"), plot_write(p, out), fprintf(out, "</div>\n");
+    if (r->body) fprintf(r->body, "<div class=\"wide\">");
+    if (r->body) plot_write(p, r->body), fprintf(r->body, "</div>\n");
     output_plot(r->o, p, name);
 }
 
@@ -151,33 +148,29 @@ static inline void html_base64(FILE *out, const unsigned char *b, size_t n)
     static const char digit[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < n; i += 3) {
-        uint32_t x = (uint32_t)b[i] << 16;
-        if (i + 1 < n) x |= (uint32_t)b[i + 1] << 8;
-        if (i + 2 < n) x |= b[i + 2];
-        putc(digit[x >> 18], out), putc(digit[x >> 12 & 63], out);
-        putc(i + 1 < n ? digit[x >> 6 & 63] : '=', out);
-        putc(i + 2 < n ? digit[x & 63] : '=', out);
+        uint32_t x = 0;
+        for (size_t k = 0; k < 3; k++) x = x << 8 | (i + k < n ? b[i + k] : 0);
+        for (size_t k = 0; k < 4; k++) putc(i + k <= n ? digit[x >> (18 - 6 * k) & 63] : '=', out);
     }
 }
 
 static inline void html_picture(const html_report *r, const image *im, const char *caption)
 {
-    if (!html_file(r)) return;
     size_t bad, n;
     char *png;
+    if (!r->body) return;
     FILE *out = open_memstream(&png, &n);
     uint8_t *rgb = image_bytes(im, &bad);
     if (out) png_write(out, rgb, im->width, im->height);
     if (!out || fclose(out) != 0) die(1, "%s: no room for a picture", r->path);
-    free(rgb);
-    fprintf(html_file(r), "<figure><img alt=\"");
-    html_escaped(html_file(r), caption);
-    fprintf(html_file(r), "\" src=\"data:image/png;base64,");
-    html_base64(html_file(r), (const unsigned char *)png, n);
-    fprintf(html_file(r), "\">");
+    fprintf(r->body, "<figure><img alt=\"");
+    html_escaped(r->body, caption);
+    fprintf(r->body, "\" src=\"data:image/png;base64,");
+    html_base64(r->body, (const unsigned char *)png, n);
+    fprintf(r->body, "\">");
     html_element(r, "figcaption", caption);
-    fprintf(html_file(r), "</figure>\n");
-    free(png);
+    fprintf(r->body, "</figure>\n");
+    free(rgb), free(png);
 }
 
 cold_inline void html_end(html_report *r)

@@ -3,13 +3,25 @@
  *   line_up all = chosen_of("bvh:leaf=8:cost=1,kdtree:bonus=0")      NULL: the usual
  *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 ..
  *                                                32; up to 17 values, one by one or doubling
+ *   text_add(text, sizeof text, " %s", name)     printf, behind what is there
  *
- * Which options there are says the list below: a line for each. Misuse ends the program, exit 2.
+ * Misuse ends the program, exit 2.
  */
 #ifndef COMPARE_LAB_KNOBS_H
 #define COMPARE_LAB_KNOBS_H
 
-#include "compare.h"
+#include "contenders.h"
+
+/* A structure with its options; label: what --only said, "bvh:leaf=8". out: it has its place, but
+ * is not built. */
+typedef struct {
+    const contender *c;
+    contender_settings how;
+    char label[44];
+    bool out;
+} compare_choice;
+enum { compare_most = 48 };
+typedef struct { compare_choice of[compare_most]; int n; } line_up;
 
 typedef struct {
     const char *type, *name;
@@ -46,17 +58,45 @@ static const knob knobs[] = {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline const knob *knob_find(const contender *c, const char *name)
+__attribute__((format(printf, 3, 4)))
+static inline void text_add(char *text, size_t room, const char *format, ...)
 {
-    for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++)
-        if (!strcmp(knobs[k].type, c->type) && !strcmp(knobs[k].name, name)) return &knobs[k];
-    return NULL;
+    size_t n = strlen(text);
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text + n, room - n, format, list);
+    va_end(list);
 }
 
-static inline void names_add(char all[512], const char *name)
+static inline void choose(line_up *all, const contender *c)
 {
-    size_t n = strlen(all);
-    snprintf(all + n, 512 - n, " %s", name);
+    if (all->n == compare_most) die(2, "%d structures at once are the most", (int)compare_most);
+    compare_choice *p = &all->of[all->n++];
+    *p = (compare_choice){.c = c};
+    text_add(p->label, sizeof p->label, "%.40s", c->name);
+}
+
+/* Those that take part without being asked for. */
+static inline line_up choose_usual(void)
+{
+    line_up all = {.n = 0};
+    for (int k = 0; k < contenders; k++)
+        if (contender_list[k]->role != CONTENDER_NAMED) choose(&all, contender_list[k]);
+    return all;
+}
+
+/* Neither brute force nor a first version: they must be right, and count their steps. */
+static inline bool contender_counts(const contender *c)
+{
+    return c != &brute_contender && !contender_is_first(c);
+}
+
+static inline line_up choose_counting(const line_up *chosen)
+{
+    line_up some = {.n = 0};
+    for (int k = 0; k < chosen->n; k++)
+        if (contender_counts(chosen->of[k].c)) some.of[some.n++] = chosen->of[k];
+    return some;
 }
 
 /* All there are: names of structures, or of the options of c. */
@@ -64,10 +104,18 @@ static inline const char *knob_names(const contender *c)
 {
     static char all[512];
     all[0] = 0;
-    for (int k = 0; !c && k < contenders; k++) names_add(all, contender_list[k]->name);
+    for (int k = 0; !c && k < contenders; k++)
+        text_add(all, sizeof all, " %s", contender_list[k]->name);
     for (size_t k = 0; c && k < sizeof knobs / sizeof *knobs; k++)
-        if (strcmp(knobs[k].type, c->type) == 0) names_add(all, knobs[k].name);
+        if (!strcmp(knobs[k].type, c->type)) text_add(all, sizeof all, " %s", knobs[k].name);
     return all[0] ? all : " none";
+}
+
+static inline const knob *knob_find(const contender *c, const char *name)
+{
+    for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++)
+        if (!strcmp(knobs[k].type, c->type) && !strcmp(knobs[k].name, name)) return &knobs[k];
+    return NULL;
 }
 
 static inline double knob_number(const knob *k, const char *text)
@@ -85,7 +133,7 @@ static inline const char *knob_rule(const knob *k, const char *name)
 {
     char all[512] = "";
     const bvh_rule *rule = bvh_rule_find(name);
-    for (int i = 0; i < bvh_rule_count; i++) names_add(all, bvh_rules[i].name);
+    for (int i = 0; i < bvh_rule_count; i++) text_add(all, sizeof all, " %s", bvh_rules[i].name);
     if (!rule) die(2, "%s=%s: allowed are%s", k->name, name, all);
     return rule->name;
 }
@@ -94,12 +142,11 @@ static inline const char *knob_rule(const knob *k, const char *name)
 static inline void choice_set(compare_choice *p, const knob *k, const char *value)
 {
     contender_setting s = {k->offset, k->kind, 0, NULL};
-    size_t n = strlen(p->label);
     if (k->kind == KNOB_NAME) s.name = knob_rule(k, value);
     else s.value = knob_number(k, value);
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
     p->how.set[p->how.n++] = s;
-    snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, value);
+    text_add(p->label, sizeof p->label, ":%s=%s", k->name, value);
 }
 
 /* "bvh:leaf=8", which is cut into its words. */

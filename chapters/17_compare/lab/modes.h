@@ -31,17 +31,15 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
     if (!world_make(g, scale, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
     world_to_mesh(&w);
     compare_begin(&s, &w, &c->chosen, c->most_bytes, 1);
+    ray_set rays = {allocate(spd_rays, sizeof(ray)), 0};
+    for (int j = 0; j <= spd_edge; j++)
+        for (int i = 0; i <= spd_edge; i++) rays.r[rays.n++] = spd_ray(&w, i, j);
     for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
-        size_t hits = 0;
         search_work work = {0, 0, 0, 0};
-        hit h;
         if (!e->s) printf("# %s %s does not fit: %s\n", w.name, e->choice->label, e->why.text);
         if (!e->s) continue;
         compare_progress(w.name, "asking", e->c->name);
-        for (int j = 0; j <= spd_edge; j++) {
-            for (int i = 0; i <= spd_edge; i++)
-                hits += e->c->counted(e->s, spd_ray(&w, i, j), false, &h, &work);
-        }
+        size_t hits = entry_work(e, &rays, false, &work);
         compare_progress(w.name, NULL, NULL);
         printf("primary %s %d %s: build %.4f s, nodes/ray %.3g, tests/ray %.3g, rays %d, "
                "hits %zu\n", w.name, scale, e->choice->label, e->build,
@@ -50,6 +48,7 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
     }
     if (g->hits && scale == g->scale)
         printf("# published for %s %d: %zu\n", g->name, scale, g->hits);
+    rays_free(&rays);
     compare_end(&s);
     world_free(&w);
 }
@@ -108,13 +107,13 @@ static inline void file_costs(const comparison *s, const compare_files *f, const
         if (entry_counts(e))
             fprintf(to.stream, ",%s nodes,%s tests", e->choice->label, e->choice->label);
     for (size_t i = 0; i < rays->n; i++) {
+        ray_set one = {&rays->r[i], 1};
         fprintf(to.stream, "\n%zu,%.9g,%.0f", i, (double)h[i].t,
                 h[i].shape == no_shape ? -1.0 : (double)h[i].shape);
         for (const compare_entry *e = s->entry; e < end; e++) {
             search_work w = {0, 0, 0, 0};
-            hit unused;
             if (!entry_counts(e)) continue;
-            e->c->counted(e->s, rays->r[i], f->any, &unused, &w);
+            entry_work(e, &one, f->any, &w);
             fprintf(to.stream, ",%zu,%zu", w.nodes, w.tests);
         }
     }

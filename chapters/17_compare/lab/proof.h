@@ -1,9 +1,18 @@
-/* proof.h: is what a structure answers what brute force answers? By trial: the very hit, t, u, v
- * and shape, and the same "occluded".
+/* proof.h: is what a structure answers what brute force answers: the very hit, t, u, v and shape, and
+ * the same "occluded"? If not, why? Of a structure nothing is known here but its verbs.
  *
  *   bool prove_ray(c, s, r, due, &w)      due: brute force's hit, or hit_none. False: w says where
  *   bool prove_closed(c, s, r, due, &w)   the same, and again on [tmin, t] and on [t, t], t that of
  *                                         the hit: the interval is closed, so both find it (17.10)
+ *   explain_wrong(c, how, s, &x, &w, oracle, out)   the ray, what it should hit, and what it did;
+ *                                                   then:
+ *
+ *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
+ *          |---------[---------x-]-----|     until it is found, and finds by halving where the
+ *                    a           b           interval must begin and end to lose it;
+ *        how far the point of the hit lies outside the shape's own box: boxes no wider than that
+ *        lose it;
+ *        is it as wrong if built of that shape alone? Such a structure is small enough to follow.
  *
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
  * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays. And one
@@ -30,16 +39,13 @@ static inline bool hits_same(hit a, hit b)
 
 static inline bool prove_ray(const contender *c, const void *s, ray r, hit due, wrong_answer *w)
 {
-    hit h = hit_none;
-    bool met = c->hit(s, r, &h);
-    if (!met) h = hit_none;
-    *w = (wrong_answer){r, due, h, false};
-    if (!hits_same(h, due)) return false;
-    bool any = c->occluded(s, r);
-    if (any == met) return true;
-    w->got = any ? (hit){0, 0, 0, 0} : hit_none;
-    w->any = true;
-    return false;
+    *w = (wrong_answer){r, due, hit_none, false};
+    bool met = c->hit(s, r, &w->got);
+    if (!met) w->got = hit_none;
+    if (!hits_same(w->got, due)) return false;
+    w->any = c->occluded(s, r) != met;
+    if (w->any) w->got = met ? hit_none : (hit){0, 0, 0, 0};
+    return !w->any;
 }
 
 static inline bool prove_closed(const contender *c, const void *s, ray r, hit due, wrong_answer *w)
@@ -48,6 +54,131 @@ static inline bool prove_closed(const contender *c, const void *s, ray r, hit du
     for (int k = 0; k < ways; k++)
         if (!prove_ray(c, s, aimed_way(r, due.t, k), due, w)) return false;
     return true;
+}
+
+/* On the interval between a and b. */
+static inline bool window_finds(const contender *c, const void *s, const wrong_answer *w, real a,
+                                real b)
+{
+    ray r = w->r;
+    hit h = hit_none;
+    r.tmin = real_min(a, b), r.tmax = real_max(a, b);
+    return w->any ? c->occluded(s, r) : c->hit(s, r, &h) && hits_same(h, w->due);
+}
+
+/* How much longer, both ways, the interval [t, t] must be for the hit to be found: between this and
+ * half of it. 0: no length helps. */
+static inline real window_wider(const contender *c, const void *s, const wrong_answer *w)
+{
+    real t = w->due.t, most = fabs(t) + 1;
+    for (real x = real_max(real_epsilon / 2 * fabs(t), real_smallest); x <= most; x *= 2)
+        if (window_finds(c, s, w, t - x, t + x)) return x;
+    return 0;
+}
+
+/* One end of the interval, halved between where the hit is found and where it is lost; the other
+ * end stays at the hit. */
+static inline void explain_end(const contender *c, const void *s, const wrong_answer *w, real end,
+                               const char *which, FILE *out)
+{
+    real t = w->due.t, found = t, lost = end;
+    if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(t) - 1 : 4 * fabs(t) + 1;
+    if (window_finds(c, s, w, lost, t)) return;
+    for (int k = 0; k < 200; k++) {
+        real middle = found + (lost - found) / 2;
+        if (middle == found || middle == lost) break;
+        *(window_finds(c, s, w, middle, t) ? &found : &lost) = middle;
+    }
+    vec3 p = ray_at(w->r, lost);
+    fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
+                 "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,
+            (double)p.y, (double)p.z);
+}
+
+static inline void explain_window(const contender *c, const void *s, const wrong_answer *w,
+                                  FILE *out)
+{
+    real t = w->due.t;
+    if (w->due.shape == no_shape) {
+        fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
+        return;
+    }
+    if (!w->any && w->got.shape != no_shape && w->got.t <= t)
+        fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
+                                  : "  at the same t: there the lower index must win\n");
+    if (!window_finds(c, s, w, t, t)) {
+        real wider = window_wider(c, s, w);
+        fprintf(out, wider > 0 ? "  not found on the interval [t, t], but on one that reaches %.2g "
+                "farther both ways: a comparison with its end is strict, or something is rounded\n"
+                : "  not found on the interval [t, t] either: the place of the hit is not searched, "
+                "or the shape is not listed there\n", (double)wider);
+        return;
+    }
+    fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
+                 "the way there is lost\n");
+    explain_end(c, s, w, w->r.tmin, "begins", out);
+    explain_end(c, s, w, w->r.tmax, "ends", out);
+    if (window_finds(c, s, w, w->r.tmin, t))
+        fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
+}
+
+/* The shape's own box holds the point, but for rounding; how far that is off, along an axis. */
+static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
+{
+    aabb b;
+    if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
+    vec3 p = ray_at(w->r, w->due.t), off = vmax(vsub(b.lo, p), vsub(p, b.hi));
+    real far = real_max(off.x, real_max(off.y, off.z));
+    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
+                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
+            (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
+    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
+    else fprintf(out, "inside\n");
+}
+
+static inline void explain_alone(const contender *c, const contender_settings *how, const items *x,
+                                 const wrong_answer *w, FILE *out)
+{
+    failure f;
+    wrong_answer again;
+    hit due = hit_none;
+    uint32_t k = w->due.shape;
+    if (k == no_shape) return;
+    mesh m = x->m ? *x->m : (mesh){0};
+    scene alone = x->m ? (scene){0} : (scene){x->s->shapes + k, 1};
+    if (x->m) m.triangles = 1, m.index += 3 * (size_t)k;
+    items one = x->m ? items_of_mesh(&m) : items_of_scene(&alone);
+    items_hit(&one, w->r, &due);
+    void *s = contender_build(c, how, &one, SIZE_MAX, &f);
+    fprintf(out, "  built of shape %u alone, it is %s\n", k,
+            s && prove_ray(c, s, w->r, due, &again) ? "right here" : "just as wrong");
+    contender_free(c, s);
+}
+
+static inline void print_hit(FILE *out, const char *who, hit h)
+{
+    if (h.shape == no_shape) fprintf(out, "  %s: no hit\n", who);
+    else fprintf(out, "  %s: t = %.17g, u = %.17g, v = %.17g, shape %u\n", who, (double)h.t,
+                 (double)h.u, (double)h.v, h.shape);
+}
+
+static inline void explain_wrong(const contender *c, const contender_settings *how, const void *s,
+                                 const items *x, const wrong_answer *w, const char *oracle,
+                                 FILE *out)
+{
+    const ray *r = &w->r;
+    fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
+                 "interval [%.17g, %.17g]\n", c->name, (double)r->o.x, (double)r->o.y,
+            (double)r->o.z, (double)r->d.x, (double)r->d.y, (double)r->d.z, (double)r->tmin,
+            (double)r->tmax);
+    print_hit(out, oracle, w->due);
+    if (w->any) fprintf(out, "  %s: occluded: %s\n", c->name,
+                        w->got.shape == no_shape ? "no" : "yes");
+    else print_hit(out, c->name, w->got);
+    fflush(out);  /* what follows may take seconds */
+    explain_window(c, s, w, out);
+    explain_shape(x, w, out);
+    explain_alone(c, how, x, w, out);
 }
 
 #endif

@@ -1,6 +1,11 @@
-/* regimes.h: where the verdict might change: the order of rays and all cores (ray_order.h), motion.
+/* regimes.h: where the verdict might change: the order of rays, all cores, motion.
  *
  *   regimes_run(&c)          tables and a plot; false: a wrong hit
+ *
+ * Order: the same primary rays of a teapot in rows (coherent, 相干) and shuffled, and diffuse ones
+ * (incoherent, 非相干); then these on all cores. Times are of processors, all threads together: a core
+ * that waits for memory because others use it shows there, and other work of the machine hardly
+ * does. Efficiency 1: n idle cores are n times as fast.
  *
  * Motion (motion.h): a teapot is twisted in 60 frames, and there are four ways to keep its BVH:
  * built anew by the heuristic or by Morton codes, refitted, refitted with rotations
@@ -11,23 +16,102 @@
 #define COMPARE_LAB_REGIMES_H
 
 #include "../../07_mesh/scenes/motion.h"
+#include "../../07_mesh/scenes/named.h"
 #include "../../14_bvh/refit.h"
-#include "ray_order.h"
+#include "costs.h"
 
-/* ---------------------------------------------------------------------------------------------- */
+enum { order_chunk = 256, order_rounds = 7, order_times = 4, motion_frames = 60, motion_last = 10 };
+typedef struct { const compare_entry *e; const ray_set *rays; hit *out; int threads; } order_work;
 
 typedef enum { KEEP_SAH, KEEP_MORTON, KEEP_REFIT, KEEP_ROTATE, keepings } keeping;
 static const char *const keeping_name[keepings] = {
     "anew, heuristic", "anew, Morton codes", "refitted", "refitted, rotated"};
-enum { motion_frames = 60, motion_last = 10 };
-
 typedef struct {
     bvh tree;
     size_t wrong;
     search_work work;                                        /* of the last frame */
     double frame[motion_frames], ray[motion_frames];         /* seconds */
-    double b, c;                                             /* at last, as in (17.8) */
 } kept_tree;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void order_job(size_t i, void *context)
+{
+    const order_work *x = context;
+    size_t first = i * order_chunk, left = x->rays->n - first;
+    x->e->c->search(x->e->s, x->rays->r + first, left < order_chunk ? left : order_chunk, false,
+                    x->out + first);
+}
+
+/* Of all processors together. */
+static inline double order_seconds(void) { return clock_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+static inline double order_search(void *context)
+{
+    order_work *x = context;
+    parallel_whole((x->rays->n + order_chunk - 1) / order_chunk, x->threads, "rays", order_job, x);
+    return (double)x->out[0].t;
+}
+
+static inline ray_set order_shuffled(const ray_set *all, uint64_t seed)
+{
+    ray_set s = rays_some(all, all->n);
+    random_stream g = random_start(seed, 0, 3);
+    for (size_t i = s.n; i > 1; i--) {
+        size_t k = random_below(&g, i);
+        ray r = s.r[i - 1];
+        s.r[i - 1] = s.r[k], s.r[k] = r;
+    }
+    return s;
+}
+
+/* The sets, of which the last is asked on so many threads, the others on one. */
+static inline void order_row(table *t, const compare_entry *e, const ray_set *set[order_times],
+                             hit *out, int threads)
+{
+    order_work work[order_times];
+    bench_candidate c[order_times];
+    for (int k = 0; k < order_times; k++) {
+        work[k] = (order_work){e, set[k], out, k + 1 < order_times ? 1 : threads};
+        c[k] = (bench_candidate){.run = order_search, .context = &work[k]};
+    }
+    bench_time_by(order_seconds, c, order_times, order_rounds);
+    table_text(t, "%s", e->choice->label);
+    for (int k = 0; k < order_times; k++) table_number(t, per(c[k].seconds * 1e9, set[k]->n));
+    table_number(t, c[order_times - 2].seconds / c[order_times - 1].seconds);
+}
+
+static inline void order_run(const compare_settings *c)
+{
+    world w;
+    comparison s;
+    failure f;
+    char title[120];
+    const options *o = c->o;
+    line_up some = choose_counting(&c->chosen);
+    if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
+    compare_begin(&s, &w, &some, c->most_bytes, 1);
+    compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);
+    const ray_set *rows = &s.rays[KIND_PRIMARY], *diffuse = &s.rays[KIND_DIFFUSE];
+    ray_set shuffled = order_shuffled(rows, o->seed);
+    hit *out = allocate(rows->n + diffuse->n + 1, sizeof *out);
+    out[0] = hit_none;
+    snprintf(title, sizeof title, "Order and cores: %zu triangles, %zu rays of a kind; %d cores",
+             w.mesh.triangles, rows->n, parallel_cores());
+    table t = table_new(title, "structure|in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|"
+                               "efficiency");
+    for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
+        compare_progress("order and cores", "timing", e->choice->label);
+        if (e->fits)
+            order_row(&t, e, (const ray_set *[]){rows, &shuffled, diffuse, diffuse}, out,
+                      o->threads);
+    }
+    compare_progress("order and cores", NULL, NULL);
+    html_table(c->to, &t);
+    free(out), rays_free(&shuffled);
+    compare_end(&s);
+    world_free(&w);
+}
 
 static inline void kept_frame(kept_tree *x, keeping how, const items *now)
 {
@@ -44,15 +128,15 @@ static inline void kept_frame(kept_tree *x, keeping how, const items *now)
 /* Counts, times and proves the rays of a frame; due: hits of the tree built anew, the first. */
 static inline void kept_rays(kept_tree *x, int frame, const ray_set *rays, hit *due, bool first)
 {
-    hit *h = allocate(rays->n, sizeof *h);
+    hit *h = first ? due : allocate(rays->n, sizeof *h);
+    const compare_entry e = {.c = &bvh_contender, .s = &x->tree};
     x->work = (search_work){0, 0, 0, 0};
-    for (size_t i = 0; i < rays->n; i++)
-        bvh_contender.counted(&x->tree, rays->r[i], false, &h[i], &x->work);
+    entry_work(&e, rays, false, &x->work);
     double start = work_seconds();
-    bvh_contender.search(&x->tree, rays->r, rays->n, false, first ? due : h);
+    e.c->search(e.s, rays->r, rays->n, false, h);
     x->ray[frame] = (work_seconds() - start) / (double)rays->n;
-    for (size_t i = 0; i < rays->n && !first; i++) x->wrong += !hits_same(h[i], due[i]);
-    free(h);
+    for (size_t i = 0; i < rays->n; i++) x->wrong += !hits_same(h[i], due[i]);
+    if (!first) free(h);
 }
 
 /* Work and times of the last frames, and time by rays a frame. */
@@ -65,16 +149,14 @@ static inline void motion_print(kept_tree x[keepings], size_t rays, const char *
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < keepings; k++) {
         int s = plot_series(&time, keeping_name[k]);
-        x[k].b = clock_median(x[k].frame + last, motion_last);
-        x[k].c = clock_median(x[k].ray + last, motion_last);
+        double b = clock_median(x[k].frame + last, motion_last);
+        double c = clock_median(x[k].ray + last, motion_last);
+        const double cell[] = {per((double)x[k].work.nodes, rays),
+                               per((double)x[k].work.tests, rays), b * 1e3, c * 1e9};
         table_text(&t, "%s", keeping_name[k]);
-        table_number(&t, per((double)x[k].work.nodes, rays));
-        table_number(&t, per((double)x[k].work.tests, rays));
-        table_number(&t, x[k].b * 1e3), table_number(&t, x[k].c * 1e9);
-        for (int half = 4; half <= 12; half++) {
-            double n = pow(10, half / 2.0);
-            plot_add(&time, s, n, (x[k].b + n * x[k].c) * 1e3);
-        }
+        for (int i = 0; i < 4; i++) table_number(&t, cell[i]);
+        for (int half = 4; half <= 12; half++)
+            plot_add(&time, s, pow(10, half / 2.0), (b + pow(10, half / 2.0) * c) * 1e3);
     }
     html_table(to, &t);
     html_plot(to, &time, "17_compare_twist_time.svg");

@@ -9,14 +9,12 @@
 #ifndef COMPARE_LAB_RUN_H
 #define COMPARE_LAB_RUN_H
 
-#include "chart.h"
 #include "drawing.h"
 #include "growth.h"
 #include "orders.h"
 #include "pictures.h"
 #include "regimes.h"
 #include "settings.h"
-#include "sweep.h"
 #include "torture_run.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -124,7 +122,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     if (own->report || own->mesh[1] || (book && c->o->full)) summary_print(m, c->to);
     html_element(c->to, "p class=\"note\"",
                  "A dash: not built there. The first versions hold triangles only.");
-    chart_show(m, c->to);
+    summary_chart(m, c->to);
     if (!book || !c->o->full) return;
     torture_run(c, NULL, NULL);
     end_if_wrong(growth_run(c), "growth");

@@ -81,7 +81,7 @@ static inline void check_options(const options *o, const compare_options *own)
     bool view = own->from || own->at || own->angle > 0 || own->up, rays = own->files.rays;
     if (own->scene && !g) {
         char all[512] = "";
-        for (int k = 0; k < scenes; k++) names_add(all, scene_list[k].name);
+        for (int k = 0; k < scenes; k++) text_add(all, sizeof all, " %s", scene_list[k].name);
         die(2, "--scene %.100s: allowed are%s", own->scene, all);
     }
     if (g && own->scale >= 0 && (own->scale < g->least || own->scale > g->most))

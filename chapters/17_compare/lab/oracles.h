@@ -1,26 +1,55 @@
-/* first_items.h: the structures of first.h with the verbs that all structures share (items.h of
- * 10): what the notes' own algorithms cost beside the full versions. They may be wrong: compare.h
- * holds them against brute force, marks them, and goes on.
+/* oracles.h: brute force, which is the oracle, and the structures of first.h, which may be wrong:
+ * with the verbs that all structures share (09_aabb/structure.h).
  *
  *   first_items_how(bvh)     brute, grid .. bvh: one of them is built
  *
- * Triangles only; a BSP tree of more than first_bsp_most is not built: it takes too long. They do
- * not say what they hold, and count tests, not steps.
+ * The first versions hold triangles only, do not say what they hold, and count tests, not steps.
  */
-#ifndef COMPARE_FIRST_ITEMS_H
-#define COMPARE_FIRST_ITEMS_H
+#ifndef COMPARE_ORACLES_H
+#define COMPARE_ORACLES_H
 
 #include "../../07_mesh/scenes/as_first.h"
 #include "../../09_aabb/items.h"
 #include "../first.h"
 
+typedef struct { size_t most_bytes; } brute_options;
+typedef struct { items x; } brute;
+
 typedef struct { int which; size_t most_bytes; } first_items_options;
 #define first_items_how(which) ((first_items_options){first_use_##which, 0})
 typedef struct { first_mesh m; first_contest c; int which; } first_items;
 
-enum { first_bsp_most = 20000, first_bytes = 2000 };  /* a triangle, at a guess */
+enum { first_bsp_most = 20000, first_bytes = 2000 };  /* triangles: more take too long; of each */
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline bool brute_build(const items *x, brute_options how, brute *out, failure *f)
+{
+    (void)how, (void)f;
+    return *out = (brute){*x}, true;
+}
+
+static inline void brute_free(brute *b) { *b = (brute){{NULL, NULL, 0}}; }
+
+/* Any hit: ends at the first item that is hit; that many tests. */
+static inline bool brute_search(const brute *b, ray r, bool any, hit *out, search_work *work)
+{
+    if (!any && work) work->tests += b->x.n;
+    if (!any || !work) return any ? items_occluded(&b->x, r) : items_hit(&b->x, r, out);
+    query q = query_of(r);
+    for (size_t i = 0; i < b->x.n; i++) {
+        work->tests++;
+        if (query_ask(&q, &b->x, (uint32_t)i, true)) return true;
+    }
+    return false;
+}
+
+STRUCTURE_VERBS(brute)
+
+static inline structure_stats brute_stats(const brute *b)
+{
+    return (structure_stats){.leaves = 1, .references = b->x.n, .items = b->x.n};
+}
 
 static inline bool first_items_build(const items *x, first_items_options how, first_items *out,
                                      failure *f)
@@ -46,16 +75,7 @@ static inline bool first_items_build(const items *x, first_items_options how, fi
 
 static inline void first_items_free(first_items *s)
 {
-    switch (s->c.m ? s->which : first_structures) {
-    case first_use_grid: first_grid_free(&s->c.grid); break;
-    case first_use_octree: first_octree_free(&s->c.octree); break;
-    case first_use_kdtree: first_kdtree_free(&s->c.kdtree); break;
-    case first_use_bsp: first_bsp_free(&s->c.bsp); break;
-    case first_use_bvh: first_bvh_free(&s->c.bvh); break;
-    default: break;
-    }
-    first_mesh_free(&s->m);
-    s->c.m = NULL;
+    first_contest_free(&s->c), first_mesh_free(&s->m);
 }
 
 /* The first versions have no search of their own for any hit. */
