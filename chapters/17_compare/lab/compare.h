@@ -285,9 +285,8 @@ static inline bool prove_entry(const compare_entry *e, const items *x, const ray
 {
     wrong_answer w;
     for (size_t i = 0; i < n; i++) {
-        if (closed ? prove_closed(e->c, e->s, r[i], due[i], &w)
-                   : prove_ray(e->c, e->s, r[i], due[i], &w)) continue;
-        explain_wrong(e->c, &e->choice->how, e->s, x, &w, oracle, out);
+        if (prove_closed(e->c, e->s, r[i], due[i], closed ? aimed_ways : 1, &w)) continue;
+        explain_wrong(&w, &e->choice->how, x, oracle, out);
         return false;
     }
     return true;

@@ -2,9 +2,9 @@
  *
  *   growth_run(&c)         a table, fitted exponents, a plot; false: a wrong hit
  *
- * Who took more than 2 seconds to build the size before, or for a ray a hundred times as long as
- * the fastest, is left out of the larger ones; with BENCH_ONCE, 0.03 seconds. The quickest to
- * build, which finds where rays begin, stays.
+ * Who took more than 2 seconds to build the size before (with BENCH_ONCE 0.03), or for a ray a
+ * hundred times as long as the fastest, is left out of the larger ones; the quickest to build,
+ * which finds where rays begin, stays.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.

@@ -3,11 +3,6 @@
  *
  *   orders_run(&c)                        a table
  *
- *   race_begin(n, &t)                     teapot of n x n cells a patch, one camera; its wide tree
- *   t.s = raster_new(nx, ny)              the picture that both draw; what was in it is gone
- *   race_drawn(&t), race_traced(&t)       by a rasteriser, by rays
- *   race_end(&t)
- *
  * Both end with a `hit` for each pixel (08 says where these differ). Making the rays counts, and so
  * does projecting the corners and clearing the picture. The tree is built before: what that takes
  * stands in the table, and a thing that moves pays it in each picture.
@@ -16,22 +11,23 @@
 #define COMPARE_LAB_ORDERS_H
 
 #include "../../08_object_order/raster.h"
-#include "costs.h"
 #include "../../07_mesh/scenes/named.h"
+#include "costs.h"
 
+/* A teapot, a camera, its wide tree; s: the picture that both draw; what was in it is gone. */
 typedef struct { world w; items x; camera c; void *tree; double build; raster s; } race;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* cells: of each patch, along an edge */
 static inline void race_begin(int cells, race *t)
 {
     failure f;
-    const contender_settings usual = {.n = 0};
     if (!mesh_world(&t->w, "teapot", teapot_mesh(cells), true, &f)
         || !camera_perspective(t->w.frame, 33, (real)4 / 3, &t->c, &f)) fail(f);
     t->x = items_of_mesh(&t->w.mesh);
     double start = work_seconds();
-    t->tree = contender_build(&wide_contender, &usual, &t->x, SIZE_MAX, &f);
+    t->tree = contender_build(&wide_contender, &(contender_settings){.n = 0}, &t->x, SIZE_MAX, &f);
     if (!t->tree) fail(f);
     t->build = work_seconds() - start;
 }

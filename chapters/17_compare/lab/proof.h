@@ -1,11 +1,11 @@
-/* proof.h: is what a structure answers what brute force answers: the very hit, t, u, v and shape, and
- * the same "occluded"? If not, why? Of a structure nothing is known here but its verbs.
+/* proof.h: is what a structure answers what brute force answers: the very hit, t, u, v and shape,
+ * and the same "occluded"? If not, why? Of a structure nothing is known here but its verbs.
  *
  *   bool prove_ray(c, s, r, due, &w)      due: brute force's hit, or hit_none. False: w says where
- *   bool prove_closed(c, s, r, due, &w)   the same, and again on [tmin, t] and on [t, t], t that of
- *                                         the hit: the interval is closed, so both find it (17.10)
- *   explain_wrong(c, how, s, &x, &w, oracle, out)   the ray, what it should hit, and what it did;
- *                                                   then:
+ *   bool prove_closed(c, s, r, due, aimed_ways, &w)   the same, and again on [tmin, t] and [t, t],
+ *                                         t that of the hit: the interval is closed, so both find
+ *                                         it (17.10); one way: as it came
+ *   explain_wrong(&w, how, &x, oracle, out)     the ray, what it should hit, and what it did; then:
  *
  *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
  *          |---------[---------x-]-----|     until it is found, and finds by halving where the
@@ -25,6 +25,8 @@
 #include "contenders.h"
 
 typedef struct {
+    const contender *c;
+    const void *s;
     ray r;
     hit due, got;
     bool any;  /* asked was occluded(); got.shape is no_shape for "no" */
@@ -39,7 +41,7 @@ static inline bool hits_same(hit a, hit b)
 
 static inline bool prove_ray(const contender *c, const void *s, ray r, hit due, wrong_answer *w)
 {
-    *w = (wrong_answer){r, due, hit_none, false};
+    *w = (wrong_answer){c, s, r, due, hit_none, false};
     bool met = c->hit(s, r, &w->got);
     if (!met) w->got = hit_none;
     if (!hits_same(w->got, due)) return false;
@@ -48,46 +50,45 @@ static inline bool prove_ray(const contender *c, const void *s, ray r, hit due, 
     return !w->any;
 }
 
-static inline bool prove_closed(const contender *c, const void *s, ray r, hit due, wrong_answer *w)
+static inline bool prove_closed(const contender *c, const void *s, ray r, hit due, int ways,
+                                wrong_answer *w)
 {
-    int ways = due.shape == no_shape ? 1 : aimed_ways;
+    if (due.shape == no_shape) ways = 1;
     for (int k = 0; k < ways; k++)
         if (!prove_ray(c, s, aimed_way(r, due.t, k), due, w)) return false;
     return true;
 }
 
 /* On the interval between a and b. */
-static inline bool window_finds(const contender *c, const void *s, const wrong_answer *w, real a,
-                                real b)
+static inline bool window_finds(const wrong_answer *w, real a, real b)
 {
     ray r = w->r;
     hit h = hit_none;
     r.tmin = real_min(a, b), r.tmax = real_max(a, b);
-    return w->any ? c->occluded(s, r) : c->hit(s, r, &h) && hits_same(h, w->due);
+    return w->any ? w->c->occluded(w->s, r) : w->c->hit(w->s, r, &h) && hits_same(h, w->due);
 }
 
 /* How much longer, both ways, the interval [t, t] must be for the hit to be found: between this and
  * half of it. 0: no length helps. */
-static inline real window_wider(const contender *c, const void *s, const wrong_answer *w)
+static inline real window_wider(const wrong_answer *w)
 {
     real t = w->due.t, most = fabs(t) + 1;
     for (real x = real_max(real_epsilon / 2 * fabs(t), real_smallest); x <= most; x *= 2)
-        if (window_finds(c, s, w, t - x, t + x)) return x;
+        if (window_finds(w, t - x, t + x)) return x;
     return 0;
 }
 
 /* One end of the interval, halved between where the hit is found and where it is lost; the other
  * end stays at the hit. */
-static inline void explain_end(const contender *c, const void *s, const wrong_answer *w, real end,
-                               const char *which, FILE *out)
+static inline void explain_end(const wrong_answer *w, real end, const char *which, FILE *out)
 {
     real t = w->due.t, found = t, lost = end;
     if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(t) - 1 : 4 * fabs(t) + 1;
-    if (window_finds(c, s, w, lost, t)) return;
+    if (window_finds(w, lost, t)) return;
     for (int k = 0; k < 200; k++) {
         real middle = found + (lost - found) / 2;
         if (middle == found || middle == lost) break;
-        *(window_finds(c, s, w, middle, t) ? &found : &lost) = middle;
+        *(window_finds(w, middle, t) ? &found : &lost) = middle;
     }
     vec3 p = ray_at(w->r, lost);
     fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
@@ -95,8 +96,7 @@ static inline void explain_end(const contender *c, const void *s, const wrong_an
             (double)p.y, (double)p.z);
 }
 
-static inline void explain_window(const contender *c, const void *s, const wrong_answer *w,
-                                  FILE *out)
+static inline void explain_window(const wrong_answer *w, FILE *out)
 {
     real t = w->due.t;
     if (w->due.shape == no_shape) {
@@ -106,19 +106,19 @@ static inline void explain_window(const contender *c, const void *s, const wrong
     if (!w->any && w->got.shape != no_shape && w->got.t <= t)
         fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
                                   : "  at the same t: there the lower index must win\n");
-    if (!window_finds(c, s, w, t, t)) {
-        real wider = window_wider(c, s, w);
+    if (!window_finds(w, t, t)) {
+        real wider = window_wider(w);
         fprintf(out, wider > 0 ? "  not found on the interval [t, t], but on one that reaches %.2g "
                 "farther both ways: a comparison with its end is strict, or something is rounded\n"
-                : "  not found on the interval [t, t] either: the place of the hit is not searched, "
-                "or the shape is not listed there\n", (double)wider);
+                : "  not found on the interval [t, t] either: the place of the hit is not "
+                "searched, or the shape is not listed there\n", (double)wider);
         return;
     }
     fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
                  "the way there is lost\n");
-    explain_end(c, s, w, w->r.tmin, "begins", out);
-    explain_end(c, s, w, w->r.tmax, "ends", out);
-    if (window_finds(c, s, w, w->r.tmin, t))
+    explain_end(w, w->r.tmin, "begins", out);
+    explain_end(w, w->r.tmax, "ends", out);
+    if (window_finds(w, w->r.tmin, t))
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
 }
 
@@ -136,7 +136,7 @@ static inline void explain_shape(const items *x, const wrong_answer *w, FILE *ou
     else fprintf(out, "inside\n");
 }
 
-static inline void explain_alone(const contender *c, const contender_settings *how, const items *x,
+static inline void explain_alone(const contender_settings *how, const items *x,
                                  const wrong_answer *w, FILE *out)
 {
     failure f;
@@ -149,10 +149,10 @@ static inline void explain_alone(const contender *c, const contender_settings *h
     if (x->m) m.triangles = 1, m.index += 3 * (size_t)k;
     items one = x->m ? items_of_mesh(&m) : items_of_scene(&alone);
     items_hit(&one, w->r, &due);
-    void *s = contender_build(c, how, &one, SIZE_MAX, &f);
+    void *s = contender_build(w->c, how, &one, SIZE_MAX, &f);
     fprintf(out, "  built of shape %u alone, it is %s\n", k,
-            s && prove_ray(c, s, w->r, due, &again) ? "right here" : "just as wrong");
-    contender_free(c, s);
+            s && prove_ray(w->c, s, w->r, due, &again) ? "right here" : "just as wrong");
+    contender_free(w->c, s);
 }
 
 static inline void print_hit(FILE *out, const char *who, hit h)
@@ -162,23 +162,21 @@ static inline void print_hit(FILE *out, const char *who, hit h)
                  (double)h.u, (double)h.v, h.shape);
 }
 
-static inline void explain_wrong(const contender *c, const contender_settings *how, const void *s,
-                                 const items *x, const wrong_answer *w, const char *oracle,
-                                 FILE *out)
+static inline void explain_wrong(const wrong_answer *w, const contender_settings *how,
+                                 const items *x, const char *oracle, FILE *out)
 {
     const ray *r = &w->r;
     fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
-                 "interval [%.17g, %.17g]\n", c->name, (double)r->o.x, (double)r->o.y,
+                 "interval [%.17g, %.17g]\n", w->c->name, (double)r->o.x, (double)r->o.y,
             (double)r->o.z, (double)r->d.x, (double)r->d.y, (double)r->d.z, (double)r->tmin,
             (double)r->tmax);
     print_hit(out, oracle, w->due);
-    if (w->any) fprintf(out, "  %s: occluded: %s\n", c->name,
-                        w->got.shape == no_shape ? "no" : "yes");
-    else print_hit(out, c->name, w->got);
+    if (!w->any) print_hit(out, w->c->name, w->got);
+    else fprintf(out, "  %s: occluded: %s\n", w->c->name, w->got.shape == no_shape ? "no" : "yes");
     fflush(out);  /* what follows may take seconds */
-    explain_window(c, s, w, out);
+    explain_window(w, out);
     explain_shape(x, w, out);
-    explain_alone(c, how, x, w, out);
+    explain_alone(how, x, w, out);
 }
 
 #endif

@@ -9,7 +9,6 @@
 #ifndef COMPARE_LAB_RUN_H
 #define COMPARE_LAB_RUN_H
 
-#include "drawing.h"
 #include "growth.h"
 #include "orders.h"
 #include "pictures.h"
@@ -49,8 +48,8 @@ static inline void draw_pictures(const compare_settings *c)
     const options *o = c->o;
     world w;
     failure f;
-    image im = image_new(o->width, o->height);
-    bool whole = sheet_draw(o, &im);
+    bool whole;
+    image im = sheet_draw(o, &whole);
     html_picture(c->to, &im, "The scenes");
     output_picture(o, &im, "17_compare.png", true, whole);
     image_free(&im);
@@ -67,10 +66,8 @@ static inline bool world_wanted(const compare_settings *c, const compare_options
 {
     failure f;
     if (own->mesh[0]) {
-        if (k >= most_meshes || !own->mesh[k]) return false;
-        own_world(own, own->mesh[k], w);
-        own_view(own, w);
-        return true;
+        if (k < most_meshes && own->mesh[k]) return own_world(own, own->mesh[k], w), true;
+        return false;
     }
     if (k >= scenes) return false;
     const compare_sizes *s = &scene_list[k];
@@ -90,7 +87,7 @@ static inline void compare_scene(const compare_settings *c, const compare_option
                                  const world *w, measured_scenes *m)
 {
     comparison s;
-    bool alone = c->o->full || own->scene || own->mesh[0];
+    bool given = own->scene || own->mesh[0], alone = c->o->full || given;
     if (own->files.rays) file_run(c, w, &own->files);
     else if (own->verify) verify_world(c, w);
     else {
@@ -99,7 +96,7 @@ static inline void compare_scene(const compare_settings *c, const compare_option
         else if (alone) cost_table(&s, c->to), printf("\n");
         fflush(stdout);
         measured_add(m, &s);
-        if (own->report && !own->sweep && (own->scene || own->mesh[0])) draw_visits(c, w, false);
+        if (own->report && !own->sweep && given) draw_visits(c, w, false);
     }
 }
 
@@ -139,18 +136,19 @@ static inline void compare_run(const compare_settings *c, const compare_options 
     measured_scenes m = {.chosen = &c->chosen};
     if (own->regimes) end_if_wrong(regimes_run(c), "motion");
     if (book && tables) draw_pictures(c);
+    if (only_picture || own->regimes) return;
     if (tables && (c->o->full || !book))
         html_element(c->to, "p", "B/shape: bytes a shape. inner: inner nodes; leaves: leaves or "
                      "cells; empty: those with nothing in them. refs/shape: how often a shape is "
                      "listed. nodes/ray, tests/ray: steps, and shapes tested. Times are of one "
                      "ray: from the eye (primary), from a hit to a light (shadow), anywhere "
                      "(diffuse), mirrored (mirror). wrong: a first version that loses hits.");
-    for (int k = 0; k < scenes + most_meshes && !only_picture && !own->regimes; k++) {
+    for (int k = 0; k < scenes + most_meshes; k++) {
         if (!world_wanted(c, own, k, &w)) continue;
         compare_scene(c, own, &w, &m);
         world_free(&w);
     }
-    if (tables && !only_picture) {
+    if (tables) {
         table csv = table_new("17_compare", cost_columns);
         compare_all(c, own, &m);
         for (const comparison *s = m.of; s < m.of + m.n; s++) cost_csv(&csv, s);

@@ -1,7 +1,6 @@
 /* settings.h: the options of this chapter, and what is wrong with them.
  *
- *   read_numbers("from", text, x)        three numbers with commas between
- *   own_world(&own, path, &w)            the scene of an OBJ or NFF file, with --up and the camera
+ *   own_world(&own, path, &w)            the scene of an OBJ or NFF file, with --up and the view
  *   check_options(&o, &own)              what does not exist, or does not go together
  * Misuse ends the program with exit 2 and a message.
  */
@@ -25,29 +24,29 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool read_numbers(const char *name, const char *text, double x[3])
+/* Three numbers with commas between; no text: `usual`. */
+static inline vec3 read_point(const char *name, const char *text, vec3 usual)
 {
     const char *at = text;
-    for (int k = 0; text && k < 3; k++) {
+    double x[3];
+    if (!text) return usual;
+    for (int k = 0; k < 3; k++) {
         char *after;
         x[k] = strtod(at, &after);
         if (after == at || !isfinite(x[k]) || *after != (k < 2 ? ',' : 0))
             die(2, "--%s %.100s: allowed are X,Y,Z", name, text);
         at = after + 1;
     }
-    return text != NULL;
+    return vec(x[0], x[1], x[2]);
 }
 
 /* View from outside: what is not given stays as it is. */
 static inline void own_view(const compare_options *own, world *w)
 {
     failure f;
-    double from[3], at[3];
-    vec3 eye = w->from, target = w->at, up = w->up;
+    vec3 eye = read_point("from", own->from, w->from), target = read_point("at", own->at, w->at);
     if (!own->from && !own->at && own->angle <= 0) return;
-    if (read_numbers("from", own->from, from)) eye = vec(from[0], from[1], from[2]);
-    if (read_numbers("at", own->at, at)) target = vec(at[0], at[1], at[2]);
-    if (!world_look(w, eye, target, up, own->angle > 0 ? (real)own->angle : w->angle, &f))
+    if (!world_look(w, eye, target, w->up, own->angle > 0 ? (real)own->angle : w->angle, &f))
         die(2, "--from, --at: %s", f.text);
 }
 
@@ -55,13 +54,10 @@ static inline void own_world(const compare_options *own, const char *path, world
 {
     failure f;
     mesh m;
-    if (ends_with(path, ".nff")) {
-        double from[3], at[3];  /* both: a file without a view has this one, upright */
-        bool one = read_numbers("from", own->from, from), other = read_numbers("at", own->at, at);
-        bool both = one && other;
+    if (ends_with(path, ".nff")) {  /* one without a view has that of both options, upright */
         nff_view v = {.up = {0, 0, 1}, .angle = 45};
-        if (both) v.from = vec(from[0], from[1], from[2]), v.at = vec(at[0], at[1], at[2]);
-        if (!nff_world(path, both ? &v : NULL, w, &f)) fail(f);
+        v.from = read_point("from", own->from, v.from), v.at = read_point("at", own->at, v.at);
+        if (!nff_world(path, own->from && own->at ? &v : NULL, w, &f)) fail(f);
         world_to_mesh(w);
     } else {
         bool z_up = own->up && strcmp(own->up, "z") == 0;
@@ -72,6 +68,7 @@ static inline void own_world(const compare_options *own, const char *path, world
     }
     const char *slash = strrchr(path, '/');
     w->name = slash ? slash + 1 : path;
+    own_view(own, w);
 }
 
 /* What does not go together. */

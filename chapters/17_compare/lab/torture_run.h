@@ -13,8 +13,9 @@
 #define COMPARE_LAB_TORTURE_RUN_H
 
 #include "../../07_mesh/files/obj_write.h"
-#include "modes.h"
+#include "../../07_mesh/files/ray_file.h"
 #include "../../09_aabb/trials/torture.h"
+#include "compare.h"
 
 typedef struct { size_t wrong; double error; } torture_score;
 
@@ -43,21 +44,7 @@ static inline void torture_write(const torture *t, const char *folder, int k)
     free(h);
 }
 
-/* How many of these hits are wrong. */
-static inline size_t torture_add(torture_score *s, const torture *t, const hit *h)
-{
-    size_t wrong = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double error;
-        wrong += torture_judge(t, i, h[i], &error) != TORTURE_RIGHT;
-        s->error = fmax(s->error, error);
-    }
-    s->wrong += wrong;
-    return wrong;
-}
-
-static inline size_t torture_ask(const compare_choice *one, size_t most_bytes, const torture *t,
-                                 torture_score *s)
+static inline hit *torture_ask(const compare_choice *one, size_t most_bytes, const torture *t)
 {
     failure f;
     items x = items_of_mesh(&t->m);
@@ -65,15 +52,12 @@ static inline size_t torture_ask(const compare_choice *one, size_t most_bytes, c
     void *built = contender_build(one->c, &one->how, &x, most_bytes, &f);
     if (!built) fail(f);
     one->c->search(built, t->r, t->n, false, h);
-    size_t wrong = torture_add(s, t, h);
     contender_free(one->c, built);
-    free(h);
-    return wrong;
+    return h;
 }
 
-/* The files of another renderer. The rays must be those of this run: of the same seed. */
-static inline size_t torture_read(const char *folder, const char *who, const torture *t, int k,
-                                  torture_score *s)
+/* The file of another renderer. The rays must be those of this run: of the same seed. */
+static inline hit *torture_read(const char *folder, const char *who, const torture *t, int k)
 {
     failure f;
     char ending[128];
@@ -86,8 +70,21 @@ static inline size_t torture_read(const char *folder, const char *who, const tor
     snprintf(ending, sizeof ending, "%.100s.hits", who);
     hit *h = hits_read(torture_path(folder, k, ending), n, &f);
     if (!h) fail(f);
-    size_t wrong = torture_add(s, t, h);
-    free(r), free(h);
+    free(r);
+    return h;
+}
+
+/* How many of these hits are wrong; frees them. */
+static inline size_t torture_add(torture_score *s, const torture *t, hit *h)
+{
+    size_t wrong = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double error;
+        wrong += torture_judge(t, i, h[i], &error) != TORTURE_RIGHT;
+        s->error = fmax(s->error, error);
+    }
+    free(h);
+    s->wrong += wrong;
     return wrong;
 }
 
@@ -95,14 +92,15 @@ static inline size_t torture_read(const char *folder, const char *who, const tor
 static inline void torture_row(const compare_settings *c, const char *folder, const char *who,
                                int k, torture_score *score, table *out)
 {
-    size_t n = c->o->quick ? 60 : 2000, wrong = 0, first = 0;
+    size_t wrong = 0, first = 0;
     compare_progress("torture", "asking about", torture_list[k].name);
-    torture t = torture_make(k, n, c->o->seed);
+    torture t = torture_make(k, c->o->quick ? 60 : 2000, c->o->seed);
     if (folder && !who) torture_write(&t, folder, k);
-    if (who) wrong = torture_read(folder, who, &t, k, score);
+    if (who) wrong = torture_add(score, &t, torture_read(folder, who, &t, k));
     for (int j = 0; j < c->chosen.n && !who; j++) {
-        size_t w = torture_ask(&c->chosen.of[j], c->most_bytes, &t, &score[j]);
-        if (!contender_is_first(c->chosen.of[j].c)) wrong += w;
+        const compare_choice *one = &c->chosen.of[j];
+        size_t w = torture_add(&score[j], &t, torture_ask(one, c->most_bytes, &t));
+        if (!contender_is_first(one->c)) wrong += w;
         else if (w > first) first = w;
     }
     table_text(out, "%s", torture_list[k].name), table_text(out, "%s", torture_list[k].what);
@@ -111,27 +109,20 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
     torture_free(&t);
 }
 
-/* The table would replace what was just written. */
-static inline void torture_check_csv(const char *folder, const char *csv)
-{
-    static const char *const ending[] = {"obj", "rays", "hits"};
-    for (int i = 0; i < 3 * torture_classes; i++)
-        if (option_same_file(csv, torture_path(folder, i / 3, ending[i % 3])))
-            die(2, "--csv %.200s: is a file of --torture", csv);
-}
-
 cold_inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
+    static const char *const ending[] = {"obj", "rays", "hits"};
     failure f;
     size_t faults = 0;
     torture_score score[compare_most] = {{0, 0}};
-    char own[160];
-    snprintf(own, sizeof own, "class|aims at|error: %.100s", who ? who : "");
+    char columns[160] = "class|aims at|error: structures|error: first versions, at most";
+    if (who) snprintf(columns, sizeof columns, "class|aims at|error: %.100s", who);
     table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
                                       : "Wrong answers of 2000 a class; exact arithmetic judges",
-                          who ? own : "class|aims at|error: structures|"
-                                      "error: first versions, at most");
-    if (folder && c->o->csv) torture_check_csv(folder, c->o->csv);
+                          columns);
+    for (int i = 0; folder && c->o->csv && i < 3 * torture_classes; i++)
+        if (option_same_file(c->o->csv, torture_path(folder, i / 3, ending[i % 3])))
+            die(2, "--csv %.200s: is a file of --torture", c->o->csv);  /* just written */
     if (folder && !who && mkdir(folder, 0777) != 0 && errno != EEXIST)
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
     for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
