@@ -1,10 +1,6 @@
 /* The bench itself: all structures give the same hits on all scenes; a structure that is broken on
  * purpose is found out and explained; costs add up; and the program, seen from outside. */
-#include "../chapters/17_compare/lab/growth.h"
-#include "../chapters/17_compare/lab/modes.h"
-#include "../chapters/17_compare/lab/orders.h"
-#include "../chapters/17_compare/lab/settings.h"
-#include "../chapters/17_compare/lab/summary.h"
+#include "../chapters/17_compare/lab/run.h"
 #include "../chapters/06_csg/lab/csg_oracle.h"
 #include "child.h"
 #include "program.h"
@@ -714,25 +710,6 @@ static void test_winners(void)
     check(strcmp(summary_fastest(&s, 1, 0), "nested") == 0, "what does not fit does not win");
 }
 
-/* Numbers outlive the structures: tables are made of them when all scenes are done. */
-static void test_kept(void)
-{
-    world w = tiny("tetra");
-    comparison s;
-    line_up one = {.n = 0};
-    choose(&one, &bvh_contender);
-    measured_scenes m = {.chosen = &one};
-    begin(&s, &w, &one, 64);
-    cost_measure(&s, 1);
-    double seconds = cost_mean(&s, &s.entry[0]);
-    const comparison *kept = measured_add(&m, &s);
-    world_free(&w);
-    check(seconds > 0 && cost_mean(kept, &kept->entry[0]) == seconds, "%g s a ray", seconds);
-    check(!kept->entry[0].s && kept->entry[0].fits, "the tree is gone, and did fit");
-    check(strcmp(kept->name, "tetra") == 0 && kept->x.n == 64, "of %s, %zu", kept->name, kept->x.n);
-    measured_free(&m);
-}
-
 static void test_growth(void)
 {
     double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
@@ -878,7 +855,7 @@ static void test_program(void)
     static const dialogue list[] = {
         {0, "--quick --scene tetra --csv @t.csv",
          {"out", "tetra: 64 shapes", "t.csv", "tetra,brute,primary,",
-          "t.csv", "tetra,bvh,mirror,"}},
+          "t.csv", "tetra,bvh,mirror,144,"}},
         {0, "--verify --scene tree --scale 3 --only bvh,grid",
          {"out", "tree bvh: 4096 primary", "out", "as brute force",
           "out", "tree grid: 4096 primary", "out", "!octree"}},
@@ -1072,6 +1049,6 @@ int main(void)
                      test_one_slow, test_first_contenders, test_wrong_is_counted, test_alone,
                      test_winners, test_kinds, test_aim, test_patients, test_unscaled,
                      test_wrong_answers, test_open_ends, test_zero, test_costs, test_fewer,
-                     test_cheapest, test_kept, test_growth, test_growth_leaves, test_orders,
+                     test_cheapest, test_growth, test_growth_leaves, test_orders,
                      test_own, test_example, test_knobs, test_front);
 }

@@ -1,6 +1,5 @@
 /* compare.h: the structures on one scene: built, asked, and proved to give the same answers.
  *
- *   comparison s;
  *   compare_begin(&s, &w, &chosen, most_bytes, rounds)   builds all that are chosen, each up to
  *                          `rounds` times, until a quarter of a second has passed; all together
  *                          hold at most most_bytes
@@ -9,24 +8,21 @@
  *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
  *   compare_end(&s)        the world stays the caller's; numbers stay, for tables and plots
  *
- * Kinds: primary (主光线), edge x edge from the eye; from each of their hits on shadow (阴影光线), to
- * each light that its surface faces: is anything between? diffuse (漫反射), by the cosine law; mirror
- * (镜面反射). These begin off the surface, by 1e-4 of their distance from the eye, on the side that it
- * sees. Those to prove answers with: 09_aabb/trials/borders.h.
+ * Kinds: primary (主光线), from the eye; from their hits on shadow (阴影光线), to each light that the
+ * surface faces: is anything between? diffuse (漫反射), by the cosine law; mirror (镜面反射). These
+ * begin off the surface, by 1e-4 of their distance from the eye, on the side that it sees.
  *
- * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for up to `most`
- * rays of every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few
- * more of them, half of which are aimed where shapes end; those are asked again, ending exactly at
- * their hits (proof.h); and so for an eighth as many whose directions are very long or short. The
- * first ray that differs is explained, and the answer is false.
+ * A proof (证明) by trial: every structure gives the same hit and the same "occluded" for up to
+ * `most` rays of every kind; brute force gives it, too, for `brute_rays` or a few more of them,
+ * half of which are aimed where shapes end; those are asked again, ending exactly at their hits
+ * (proof.h); and so for an eighth as many whose directions are very long or short. The first ray
+ * that differs is explained, and the answer is false.
  *
- * share: no structure parts triangles that lie in one place, and each ray asks them all, as many
- * times as there are structures and turns. So a few aimed rays tell how many steps and tests a ray
- * takes; the mean of all but the slowest, so that this one changes nothing for the others. Where it
+ * share: no structure parts triangles that lie in one place, and each ray asks them all. So a few
+ * aimed rays tell how many steps and tests a ray takes, the mean of all but the slowest; where it
  * is more than compare_usual_work all have fewer rays, share times as many, but compare_least.
  *
- * Times here are those that this thread had a processor for (work_seconds), so that other work of
- * the machine counts little. BENCH_ONCE (bench.h): built once.
+ * Times are those that this thread had a processor for: other work of the machine counts little.
  */
 #ifndef COMPARE_LAB_COMPARE_H
 #define COMPARE_LAB_COMPARE_H
@@ -38,7 +34,7 @@
 
 typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, compare_kinds } compare_kind;
 static const char *const kind_name[compare_kinds] = {"primary", "shadow", "diffuse", "mirror"};
-/* Needles take 1200 steps and tests in the mean of all; no other scene of the book a tenth of it. */
+/* Needles take 1200 steps and tests in the mean of all; no other scene a tenth of it. */
 enum { compare_usual_rays = 20000, compare_sample = 64, compare_least = 64,
        compare_usual_work = 2000 };
 
@@ -86,11 +82,11 @@ typedef struct {
 static inline ray_set rays_view(const world *w, int edge)
 {
     ray_set s = {allocate((size_t)edge * (size_t)edge, sizeof(ray)), 0};
-    for (int j = 0; j < edge; j++)
-        for (int i = 0; i < edge; i++) {
-            real x = ((real)i + (real)0.5) / (real)edge, y = ((real)j + (real)0.5) / (real)edge;
-            s.r[s.n++] = world_ray(w, 2 * x - 1, 1 - 2 * y);
-        }
+    for (int k = 0; k < edge * edge; k++) {
+        real x = ((real)(k % edge) + (real)0.5) / (real)edge;
+        real y = ((real)(k / edge) + (real)0.5) / (real)edge;
+        s.r[s.n++] = world_ray(w, 2 * x - 1, 1 - 2 * y);
+    }
     return s;
 }
 

@@ -10,13 +10,10 @@
  *   const contender *c = contender_find("octree");     NULL: no such name
  *   void *s = contender_build(c, &how, &x, most_bytes, &f);  NULL: it does not fit, f says so; how:
  *                                                      members that were set from outside (knobs.h)
- *   c->hit(s, r, &h) ...                               the verbs
- *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's search
- *                                                      inlined; returns the number of hits. any:
- *                                                      hits[i] has t = 0, shape 0 where occluded.
- *                                                      hit and occluded call it with one ray: what
- *                                                      is proved is what is timed
- *   c->counted(s, r, any, &h, &w)                      is there a hit? What it took goes to w
+ *   c->search(s, r, n, any, hits)    all rays in a loop, the structure's search inlined; how many
+ *                                    hit; any: hits[i] has t = 0, shape 0 where occluded. The verbs
+ *                                    call it with one ray: what is proved is what is timed
+ *   c->counted(s, r, any, &h, &w)    is there a hit? What it took is added to w
  *   contender_free(c, s)
  */
 #ifndef COMPARE_CONTENDERS_H

@@ -3,18 +3,15 @@
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
  *   cost_kind(&s, kind, turns, most_work)   one kind; most_work: cost_full, cost_few
  *   cost_table(&s, to)              a table of the scene, and who is cheapest for how many rays
- *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns,
- *                                   in which the literature compares (Havran 2000): MEASURED.md
+ *   cost_csv(&csv, &s)              a row a structure and kind of rays: cost_columns (Havran 2000)
  *   sweep_run(&s, to)               a table and a plot: who is on the Pareto front of building and
- *                                   searching? A point with another below and to its left is not:
- *                                   that structure is never worth building here
+ *                                   searching? A point with another below and to its left is not
  *
- * One rule for all. A turn: a quarter of the rays, untimed, so that the structure is in the cache
- * again; then all of them, timed. Steps and tests are counted with that quarter. A median of 20,000
- * rays stands still within some percent; of 2,000 that come after ten other structures a third is
- * waiting for memory. All are asked, or as many as most_work steps and tests allow (of the
- * quarter: cost_few), which 64 of them tell. (First versions count no steps.) Who has taken a
- * second has no further turn, after three. BENCH_ONCE: no turns, the times are those of counting.
+ * A turn: a quarter of the rays, untimed, so that the structure is in the cache again; then all of
+ * them, timed. Steps and tests are counted with that quarter. All are asked, or as many as
+ * most_work steps and tests allow (of the quarter: cost_few), which 64 of them tell. (First
+ * versions count no steps.) Who has taken a second has no further turn, after three. BENCH_ONCE: no
+ * turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -29,6 +26,13 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
+
+/* A number, or a dash where there is none. */
+static inline void cost_cell(table *t, bool known, double x)
+{
+    if (known) table_number(t, x);
+    else table_text(t, "-");
+}
 
 enum { cost_most_turns = 9, cost_sample = 64 };
 static const double cost_full = 4e7, cost_few = 2e6;  /* steps and tests */
@@ -179,13 +183,13 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
         per((double)st.references, st.items), nodes, tests, cost_ns(e, KIND_PRIMARY),
         cost_ns(e, KIND_SHADOW), cost_ns(e, KIND_DIFFUSE), cost_ns(e, KIND_MIRROR)};
     enum { cells = sizeof cell / sizeof *cell, counted = 1, counted_end = 4, searched = 6 };
+    bool known = e->fits && !contender_is_first(e->c);
     table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->choice->label);
     if (e->fits) table_number(t, e->build * 1e3);
     else table_text(t, "does not fit");
     for (int k = 0; k < cells; k++)
-        if (!e->fits || (contender_is_first(e->c) && k < searched)) table_text(t, "-");
-        else if (k >= counted && k < counted_end) table_count(t, (size_t)cell[k]);
-        else table_number(t, cell[k]);
+        if (known && k >= counted && k < counted_end) table_count(t, (size_t)cell[k]);
+        else cost_cell(t, known || (e->fits && k >= searched), cell[k]);
 }
 
 /* They go on where they are wrong: at edges their triangles slip (04). */
@@ -254,8 +258,7 @@ static inline void cost_csv(table *t, const comparison *s)
             if (e->rays[k] || !e->fits) cost_csv_row(t, s, e, kind_name[k], k);
 }
 
-/* Nobody is as quick at both, and quicker at one. A twentieth is noise: two builds of the same tree
- * differ by that. */
+/* Nobody is as quick at both, and quicker at one. A twentieth is noise. */
 static inline bool sweep_on_front(const comparison *s, const compare_entry *e)
 {
     double build = e->build, mean = cost_mean(s, e);

@@ -5,8 +5,8 @@
  *   image v = visits_draw(&c, &w, &whole)       4 panels a row: the scene; nodes and
  *                                               tests of each primary ray, black none, white
  *                                               visits_most or more; one for each structure
- *   closed_draw(&o)      17_compare_closed.svg: boxes of example.h along a real ray, a row for each
- *                        from the root to the leaf that is hit; below, the three intervals (proof.h)
+ *   closed_draw(&o)      17_compare_closed.svg: boxes of example.h along a real ray, from the root
+ *                        to the leaf that is hit; below, the three intervals (proof.h)
  *
  * Not whole: Ctrl-C stopped it, and the picture is what there is.
  */

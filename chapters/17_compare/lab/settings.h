@@ -1,23 +1,23 @@
-/* settings.h: the options of this chapter, and what is wrong with them.
+/* settings.h: the options of this chapter, and what is wrong with them: that ends the program.
  *
  *   own_world(&own, path, &w)            the scene of an OBJ or NFF file, with --up and the view
  *   check_options(&o, &own)              what does not exist, or does not go together
- * Misuse ends the program with exit 2 and a message.
  */
 #ifndef COMPARE_LAB_SETTINGS_H
 #define COMPARE_LAB_SETTINGS_H
 
 #include "../../07_mesh/files/nff_world.h"
 #include "../../07_mesh/files/obj.h"
-#include "modes.h"
+#include "../../07_mesh/scenes/named.h"
+#include "knobs.h"
 
 enum { most_meshes = 12 };
+typedef struct { const char *rays, *hits, *costs; bool any; } compare_files;
 typedef struct {
     const char *scene, *mesh[most_meshes], *only, *sweep, *protocol, *up, *from, *at;
-    const char *report;
+    const char *report, *torture, *score;
     int scale, megabytes;
     double angle;
-    const char *torture, *score;
     bool verify, regimes, orders;
     compare_files files;
 } compare_options;

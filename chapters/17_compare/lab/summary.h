@@ -1,17 +1,13 @@
 /* summary.h: all scenes together: tables of a row a structure, a column a scene (nanoseconds a ray,
  * mean of the kinds of rays as the scene has them; milliseconds to build); who wins; bars (柱状图).
  *
- *   measured_scenes m = {.chosen = &chosen};
  *   measured_add(&m, &s)                a scene that was measured; ends the comparison
  *   summary_print(&m, to)               who wins: fastest without building, and with it; the tables
  *   summary_verdict(&m, to)             at the head of the report: who is fastest, by kind of rays
  *   summary_few(&m, to)                 one: wrong hits, building in all scenes, diffuse rays
- *   summary_chart(&m, to)               in the report, a drawing a scene: a ray, and building
+ *   summary_chart(&m, to)               in the report, a drawing a scene: a ray, and building, each
+ *                                       with its own scale, to the longest or four times the median
  *   measured_free(&m)
- *
- * Each kind of bar has its own scale in each drawing, linear from 0 to the longest, or to four
- * times the median: what is longer is a broken bar. Brute force and the first versions are left to
- * the tables. Colours as in plot.h.
  */
 #ifndef COMPARE_LAB_SUMMARY_H
 #define COMPARE_LAB_SUMMARY_H
@@ -46,8 +42,7 @@ static inline void summary_all(table *t, const measured_scenes *m, int k)
     }
     if (held) table_text(t, "%zu of %zu", wrong, held);
     else table_text(t, built ? "none" : "-");
-    if (built) table_number(t, build * 1e3);
-    else table_text(t, "-");
+    cost_cell(t, built, build * 1e3);
 }
 
 /* Each structure by scenes: of_ray times a ray and of_build times building [s]. few: with wrong
@@ -68,8 +63,7 @@ static inline void summary_table(const measured_scenes *m, html_report *to, cons
         if (few) summary_all(&t, m, k);
         for (const comparison *s = m->of; s < end; s++) {
             const compare_entry *e = &s->entry[k];
-            if (!e->fits) table_text(&t, "-");
-            else table_number(&t, of_ray * cost_mean(s, e) + of_build * e->build);
+            cost_cell(&t, e->fits, of_ray * cost_mean(s, e) + of_build * e->build);
         }
     }
     html_table(to, &t);
@@ -106,8 +100,7 @@ static inline void summary_print(const measured_scenes *m, html_report *to)
         table_text(&t, "%.31s", s->name), table_count(&t, s->x.n);
         table_text(&t, "%s", summary_fastest(s, 1, 0));
         table_text(&t, "%s", summary_fastest(s, 1e6, 1));
-        if (kd > 0 && boxes > 0) table_number(&t, kd / boxes);
-        else table_text(&t, "-");
+        cost_cell(&t, kd > 0 && boxes > 0, kd / boxes);
     }
     html_table(to, &t);
     summary_table(m, to, "All scenes: nanoseconds a ray", false, 1e9, 0);

@@ -2,12 +2,10 @@
  *
  *   torture_run(&settings, folder, score)   folder NULL: writes nothing
  *
- * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right) for each class, asks every structure,
- * and prints how many answers are wrong, by class, and by whom. (A hit whose t is off by more than
- * torture_most_off is wrong, too.) score, not NULL: reads
- * CLASS.SCORE.hits instead, which any other renderer may have written, and judges that alone. Of
- * hits at the same t the files name the lowest triangle; the verdict takes each of them. Wrong
- * answers, but for those of the first versions, end the program with exit 1.
+ * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right; at a tie the lowest triangle, though
+ * any of them is) for each class, asks every structure, and prints how many answers are wrong.
+ * score, not NULL: reads CLASS.SCORE.hits instead, which any other renderer may have written, and
+ * judges that alone. Wrong answers, but for those of the first versions, end with exit 1.
  */
 #ifndef COMPARE_LAB_TORTURE_RUN_H
 #define COMPARE_LAB_TORTURE_RUN_H
