@@ -141,58 +141,59 @@ static void test_solids(void)
     rays_free(&set), world_free(&w);
 }
 
-/* In less memory than all need fewer fit; those stay within the limit, at any time, and what does
- * not fit says why, is not timed, and does not hinder the others. */
+/* How many fit into so many bytes; *most: what they held at any time, building included. */
+static size_t fit_within(const world *w, const line_up *all, size_t limit, size_t *most)
+{
+    comparison s;
+    size_t held = 0, fit = 0;
+    *most = 0;
+    compare_begin(&s, w, all, limit, 1);
+    for (const compare_entry *e = s.entry; e < s.entry + s.entries; e++) {
+        if (held + e->stats.peak > *most) *most = held + e->stats.peak;
+        held += e->stats.bytes, fit += e->s != NULL;
+        if (!e->s) check(strlen(e->why.text) > 5, "%s says why", e->c->name);
+    }
+    check_at_most(*most, limit, "%zu structures within the limit", fit);
+    compare_end(&s);
+    return fit;
+}
+
 static void test_memory(void)
 {
     line_up all = everybody();
     world w = tiny("soup");
-    size_t sum = 0, most = 0, fit[4], counted = 0;
-    for (int part = 4; part >= 0; part--) {  /* all there is; thirds of that; 1 kB */
-        size_t held = 0, limit = part ? most * (size_t)part / 3 : 1000;
-        if (part == 4) limit = (size_t)1 << 30;
-        comparison s;
-        compare_begin(&s, &w, &all, limit, 1);
-        if (part < 4) fit[part] = 0;
-        for (int i = 0; i < s.entries; i++) {
-            const compare_entry *e = &s.entry[i];
-            if (part == 4) {
-                most = sum + e->stats.peak > most ? sum + e->stats.peak : most;
-                sum += e->stats.bytes;
-            } else if (!e->s) check(strlen(e->why.text) > 5, "%s says why", e->c->name);
-            else {
-                check_at_most((double)(held + e->stats.peak), (double)limit,
-                              "%s: within what is left", e->c->name);
-                held += e->stats.bytes, fit[part]++;
-            }
-        }
-        if (part == 0) {
-            compare_entry *e = &s.entry[0];
-            check(fit[0] == 1 && e->s && e->c == &brute_contender,
-                  "in 1000 bytes only brute force has room");
-            compare_rays(&s, 64, 1);
-            check(compare_prove(&s, SIZE_MAX, 40, 1, stdout), "and agrees with itself");
-            cost_measure(&s, 1);
-            check(e->seconds[KIND_PRIMARY] > 0 && s.entry[1].seconds[KIND_PRIMARY] == 0,
-                  "what does not fit is not timed");
-            const ray_set *shadow = &s.rays[KIND_SHADOW];
-            search_work any = {0, 0, 0, 0};
-            ray_set warm = rays_some(shadow, shadow->n / 4 + 1);
-            size_t hits = 0;
-            hit h;
-            for (size_t i = 0; i < shadow->n; i++) hits += e->c->occluded(e->s, shadow->r[i]);
-            for (size_t i = 0; i < warm.n; i++)
-                counted += e->c->counted(e->s, warm.r[i], true, &h, &any);
-            check(hits > 0 && counted > 0, "some shadow rays are stopped");
-            check_equal(e->hits[KIND_SHADOW], hits, "as many as were measured");
-            check_equal(e->work[KIND_SHADOW].tests, any.tests, "with so many tests");
-            check_equal(e->counted[KIND_SHADOW], warm.n, "of so many rays");
-            rays_free(&warm);
-        }
-        compare_end(&s);
-    }
+    size_t bytes, most, fit[4];
+    check_equal(fit_within(&w, &all, (size_t)1 << 30, &bytes), (size_t)all.n, "all fit");
+    for (size_t part = 1; part < 4; part++)
+        fit[part] = fit_within(&w, &all, bytes * part / 3, &most);
     check(fit[1] > 1 && fit[1] < fit[3], "%zu, %zu, %zu fit", fit[1], fit[2], fit[3]);
     world_free(&w);
+}
+
+/* In 1000 bytes; what does not fit is not timed, and does not hinder it. Its shadow rays count. */
+static void test_brute_alone(void)
+{
+    line_up all = everybody();
+    world w = tiny("soup");
+    comparison s;
+    compare_entry *e = &s.entry[0];
+    size_t hits = 0;
+    search_work any = {0, 0, 0, 0};
+    compare_begin(&s, &w, &all, 1000, 1);
+    for (int k = 0; k < s.entries; k++)
+        check((s.entry[k].s != NULL) == (s.entry[k].c == &brute_contender), "brute force alone");
+    compare_rays(&s, 64, 1);
+    check(compare_prove(&s, SIZE_MAX, 40, 1, stdout), "and agrees with itself");
+    cost_measure(&s, 1);
+    check(e->seconds[KIND_PRIMARY] > 0 && s.entry[1].seconds[KIND_PRIMARY] == 0, "is timed alone");
+    const ray_set *shadow = &s.rays[KIND_SHADOW];
+    ray_set warm = rays_some(shadow, shadow->n / 4 + 1);
+    for (size_t i = 0; i < shadow->n; i++) hits += e->c->occluded(e->s, shadow->r[i]);
+    check(hits > 0 && entry_work(e, &warm, true, &any) > 0, "some shadow rays are stopped");
+    check_equal(e->hits[KIND_SHADOW], hits, "as many as were measured");
+    check_equal(e->work[KIND_SHADOW].tests, any.tests, "with so many tests");
+    check_equal(e->counted[KIND_SHADOW], warm.n, "of so many rays");
+    rays_free(&warm), compare_end(&s), world_free(&w);
 }
 
 /* Triangles that lie in one place: who meets one is asked about all. So there are few rays, the
@@ -1045,10 +1046,10 @@ int main(void)
         test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
     remove_directory();
-    return check_all("17_compare", test_equality, test_solids, test_memory, test_pile,
-                     test_one_slow, test_first_contenders, test_wrong_is_counted, test_alone,
-                     test_winners, test_kinds, test_aim, test_patients, test_unscaled,
+    return check_all("17_compare", test_equality, test_solids, test_memory, test_brute_alone,
+                     test_pile, test_one_slow, test_first_contenders, test_wrong_is_counted,
+                     test_alone, test_winners, test_kinds, test_aim, test_patients, test_unscaled,
                      test_wrong_answers, test_open_ends, test_zero, test_costs, test_fewer,
-                     test_cheapest, test_growth, test_growth_leaves, test_orders,
-                     test_own, test_example, test_knobs, test_front);
+                     test_cheapest, test_growth, test_growth_leaves, test_orders, test_own,
+                     test_example, test_knobs, test_front);
 }
