@@ -2,8 +2,7 @@
  * forms fail. */
 #include "../chapters/07_mesh/lab/trials.h"
 #include "../chapters/20_monte_carlo/sampler.h"
-#include "../chapters/22_radiometry/lab/naive.h"
-#include "../chapters/22_radiometry/lab/oracle.h"
+#include "../chapters/22_radiometry/lab/measure_hard.h"
 #include "../chapters/22_radiometry/solid_angle.h"
 #include "22_inputs.h"
 #include "check.h"

@@ -17,7 +17,7 @@
  *
  * First.h's 1 - cos loses all digits of a small cap, and of a sphere far away or near to touching;
  * the formula as it stands in chapter 07 those of a triangle seen edge-on, or from near to an edge;
- * a sum of angles less pi (Girard, lab/naive.h) all of a small one.
+ * a sum of angles less pi (Girard, lab/measure_hard.h) all of a small one.
  *
  * All here are right to 16 epsilon, relatively, for every p and nearly every triangle (as the reals
  * given describe it): the worst that a search for such triangles met is off by 39. What is clear

@@ -16,32 +16,22 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Sine and cosine of x in [0, pi]: Taylor's series of x / 1024, whose terms fall by 1e-6, then ten
- * times the double angle; 1 - cos is kept instead of cos. */
-static inline void wide_sine_cosine(double x, wide *sine, wide *cosine)
-{
-    wide t = wide_of(x / 1024), tt = wide_mul(t, t), s = wide_of(0), v = wide_of(0);
-    for (int k = 8; k >= 1; k--) {
-        s = wide_mul(wide_div(tt, wide_of(2.0 * k * (2 * k + 1))), wide_sub(wide_of(1), s));
-        v = wide_mul(wide_div(tt, wide_of((2.0 * k - 1) * 2 * k)), wide_sub(wide_of(1), v));
-    }
-    s = wide_mul(t, wide_sub(wide_of(1), s));
-    for (int i = 0; i < 10; i++) {
-        wide c = wide_sub(wide_of(1), v), ss = wide_mul(s, s);
-        s = wide_mul(wide_of(2), wide_mul(s, c)), v = wide_mul(wide_of(2), ss);
-    }
-    *sine = s, *cosine = wide_sub(wide_of(1), v);
-}
+static const wide wide_pi = {3.141592653589793116, 1.2246467991473531772e-16};
 
-/* The rest that a double's angle leaves is so small that it equals its tangent. */
+/* tan(a/2) = y / (x + r): ten times the half of the angle, by a sum or what equals it where x < 0;
+ * then the series of the arc tangent, whose terms fall by 2e-6. */
 static inline wide wide_atan2(wide y, wide x)
 {
-    double near = atan2(wide_value(y), wide_value(x));
-    wide s, c;
-    wide_sine_cosine(near, &s, &c);
-    wide rest = wide_div(wide_sub(wide_mul(y, c), wide_mul(x, s)),
-                         wide_add(wide_mul(x, c), wide_mul(y, s)));
-    return wide_add(wide_of(near), rest);
+    wide sum = wide_of(0);
+    if (wide_sign(y) == 0) return wide_sign(x) < 0 ? wide_pi : sum;
+    for (int i = 0; i < 10; i++) {
+        wide yy = wide_mul(y, y), r = wide_sqrt(wide_add(wide_mul(x, x), yy));
+        x = wide_sign(x) < 0 ? wide_div(yy, wide_sub(r, x)) : wide_add(x, r);
+    }
+    wide t = wide_div(y, x), tt = wide_mul(t, t);
+    for (int k = 6; k >= 0; k--)
+        sum = wide_sub(wide_div(wide_of(1), wide_of(2 * k + 1)), wide_mul(tt, sum));
+    return wide_mul(wide_of(1024), wide_mul(t, sum));
 }
 
 static inline double sphere_solid_angle_exact(sphere s, vec3 p)
@@ -68,9 +58,8 @@ static inline double sphere_irradiance_exact(double r, double a, double h)
 {
     wide rr = wide_product(r, r), hh = wide_product(h, h), dd = wide_add(wide_product(a, a), hh);
     wide d = wide_sqrt(dd), k = wide_sqrt(wide_sub(dd, rr)), q = wide_div(rr, dd);
-    wide pi_wide = {3.141592653589793116, 1.2246467991473531772e-16};
     wide slope = wide_div(wide_of(h), d);
-    if (h >= r) return wide_value(wide_mul(wide_mul(pi_wide, q), slope));
+    if (h >= r) return wide_value(wide_mul(wide_mul(wide_pi, q), slope));
     if (h <= -r) return 0;
     wide w = wide_sqrt(wide_sub(rr, hh));
     wide e = wide_sub(wide_atan2(w, k), wide_div(wide_mul(k, w), dd));
