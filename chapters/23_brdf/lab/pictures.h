@@ -8,7 +8,7 @@
 #ifndef BRDF_LAB_PICTURES_H
 #define BRDF_LAB_PICTURES_H
 
-#include "../../../common/lab/label.h"
+#include "../../../common/lab/panels.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
@@ -39,58 +39,53 @@ static inline vec3 sky_and_ground(vec3 w)
 /* ---- spheres ---- */
 
 enum { ball_columns = 7, ball_rows = 4 };
-typedef struct {
-    image *im;
-    const options *o;
-    uint32_t samples, well_spread;
-} brdf_spheres;
+typedef struct { const options *o; int row, across, down; uint32_t samples; } ball_row;
 
-static inline void sphere_pixel(int x, int y, void *context)
+/* Each pixel by itself: the camera looks along y at spheres of radius 1. */
+static inline vec3 ball_place(const void *context, real x, real y)
 {
-    const brdf_spheres *sheet = context;
-    int across = sheet->im->width / ball_columns, down = sheet->im->height / ball_rows;
-    int column = across ? x / across : ball_columns, row = down ? y / down : ball_rows;
-    vec3 sum = {0.9, 0.9, 0.9}, f0 = {0.95, 0.85, 0.7};
-    if (column < ball_columns && row < ball_rows) {
-        brdf b = brdf_ggx(f0, (real)column / (ball_columns - 1));
-        uint32_t n = row == 3 ? sheet->well_spread : sheet->samples;
-        sequence_kind kind = row == 3 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
-        reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, false, 0};
-        uint64_t pixel = (uint64_t)y * (uint64_t)sheet->im->width + (uint64_t)x;
-        vec3 ground = sum, wo = {0, -1, 0};
-        sum = (vec3){0, 0, 0};
-        for (uint32_t k = 0; k < n; k++) {
-            sampler s = sampler_start(kind, sheet->o->seed, pixel, k, n);
-            point2 p = sampler_pair(&s);
-            real px = (2 * ((real)(x - column * across) + p.u) / (real)across - 1) * (real)1.06;
-            real pz = (1 - 2 * ((real)(y - row * down) + p.v) / (real)down) * (real)1.06;
-            real rr = px * px + pz * pz;
-            if (rr >= 1) { sum = vadd(sum, ground); continue; }
-            shading_frame f = shading_frame_of((vec3){px, -sqrt(1 - rr), pz});
-            sum = vadd(sum, reflection_term(&r, &b, f, to_local(f, wo), sky_and_ground,
-                                            sampler_pair(&s)));
-        }
-        sum = vscale(sum, 1 / (real)n);
+    static const vec3 ground = {0.9, 0.9, 0.9}, f0 = {0.95, 0.85, 0.7}, wo = {0, -1, 0};
+    const ball_row *b = context;
+    int column = b->across ? (int)x / b->across : ball_columns;
+    if (column >= ball_columns) return ground;
+    brdf metal = brdf_ggx(f0, (real)column / (ball_columns - 1));
+    bool spread = b->row == 3;
+    reflection r = {spread ? DIRECTIONS_BRDF : (direction_choice)b->row, false, 0};
+    uint64_t pixel = (uint64_t)(b->row * b->down + (int)y) * (uint64_t)b->o->width + (uint64_t)x;
+    vec3 sum = {0, 0, 0};
+    for (uint32_t k = 0; k < b->samples; k++) {
+        sampler s = sampler_start(spread ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, b->o->seed, pixel, k,
+                                  b->samples);
+        point2 p = sampler_pair(&s);
+        real px = (2 * (floor(x) - (real)(column * b->across) + p.u) / (real)b->across - 1)
+                * (real)1.06;
+        real pz = (1 - 2 * (floor(y) + p.v) / (real)b->down) * (real)1.06, rr = px * px + pz * pz;
+        if (rr >= 1) { sum = vadd(sum, ground); continue; }
+        shading_frame f = shading_frame_of((vec3){px, -sqrt(1 - rr), pz});
+        sum = vadd(sum, reflection_term(&r, &metal, f, to_local(f, wo), sky_and_ground,
+                                        sampler_pair(&s)));
     }
-    image_set(sheet->im, x, y, sum);
+    return vscale(sum, 1 / (real)b->samples);
 }
 
 cold_inline void draw_spheres(const options *o)
 {
-    image im = image_new(o->width, o->height);
-    brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 64};
-    bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
-    char title[4][64];
-    snprintf(title[0], sizeof title[0], "%d directions a pixel, uniform; roughness 0 to 1",
-             o->samples);
-    snprintf(title[1], sizeof title[1], "%d by the cosine", o->samples);
-    snprintf(title[2], sizeof title[2], "%d as the surface reflects", o->samples);
-    snprintf(title[3], sizeof title[3], "the same, %d well spread", o->quick ? 4 : 64);
-    const char *const names[4] = {title[0], title[1], title[2], title[3]};
-    bool labels = o->width >= 600 && o->height >= 300 && o->height % 4 == 0;
-    if (labels) label_titles(&im, 1, 4, 0, names);
-    output_picture(o, &im, "23_brdf.png", true, whole);
-    image_free(&im);
+    bool words = o->width >= 600 && o->height >= 300;
+    int n = o->samples, spread = o->quick ? 4 : 64;
+    panels_shape g = {o->width, o->height, 1, ball_rows, 0, 1, !words};
+    char title[ball_rows][64];
+    ball_row row[ball_rows];
+    panel p[ball_rows];
+    snprintf(title[0], sizeof title[0], "%d directions a pixel, uniform; roughness 0 to 1", n);
+    snprintf(title[1], sizeof title[1], "%d by the cosine", n);
+    snprintf(title[2], sizeof title[2], "%d as the surface reflects", n);
+    snprintf(title[3], sizeof title[3], "the same, %d well spread", spread);
+    for (int k = 0; k < ball_rows; k++) {
+        row[k] = (ball_row){o, k, o->width / ball_columns, panels_high(g),
+                            (uint32_t)(k == 3 ? spread : n)};
+        p[k] = (panel){title[k], &row[k]};
+    }
+    panels_draw(o, "23_brdf.png", true, g, ball_place, p);
 }
 
 /* ---- lobes ---- */
