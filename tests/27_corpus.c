@@ -27,19 +27,8 @@ static void use(const studio *s)
     plan_free(&p);
 }
 
-/* What was read is used; what was refused, for a reason that may be shown. */
-static bool judged(bool ok, const char *name, studio *s, const failure *f)
-{
-    if (ok) use(s), studio_free(s);
-    else if (!(f->exit_code == 1 || f->exit_code == 2) || !strchr(f->text, ':'))
-        check(false, "%s: exit %d, '%s'", name, f->exit_code, f->text);
-    for (const char *p = f->text; !ok && *p; p++)
-        if ((unsigned char)*p < ' ' || *p == 127)
-            check(false, "%s: byte %d in a message", name, *p);
-    return ok;
-}
-
-/* By its ending, as a program would come to read it. True: it was read. */
+/* By its ending, as a program would come to read it: what was read is used; what was refused, for a
+ * reason that may be shown. True: it was read. */
 static bool feed(const char *name)
 {
     studio s;
@@ -51,34 +40,14 @@ static bool feed(const char *name)
                  name);
         put("feed.scene", text), read = "feed.scene";
     }
-    return judged(read_scene(read, &s, &f), name, &s, &f);
-}
-
-/* Scene files, NFF, MTL and OBJ without a file: a thousand of them would keep the disk busy. */
-static bool feed_bytes(const char *ending, char *bytes, size_t n, studio *s, failure *f)
-{
-    const affine one = affine_scaling((vec3){1, 1, 1});
-    char path[256];
-    uint32_t k = 0;
-    bool ok;
-    FILE *in = fmemopen(n ? bytes : "\n", n ? n : 1, "rb");
-    if (!in) abort();
-    snprintf(path, sizeof path, "%s", in_directory(ending + 1));
-    studio_begin(s);
-    s->files_read = studio_most_files - 8;  /* those that include much: enough of it */
-    *f = (failure){0, ""};
-    if (strcmp(ending, ".scene") == 0) ok = scene_read_stream(s, in, path, f);  /* closes it */
-    else if (strcmp(ending, ".nff") == 0) ok = nff_studio_stream(s, in, path, 0, f);
-    else if (strcmp(ending, ".obj") == 0) {
-        ok = obj_mesh_stream(s, in, path, false, &k, f);
-        if (ok) studio_place(s, k, one, 0, (cite){s->paint[k].file, 0});
-    } else {
-        studio_palette p = {.room = 0};
-        ok = mtl_studio_stream(s, in, path, name_add(&s->files, path), &p, f);
-        studio_palette_free(&p);
-    }
-    if (strcmp(ending, ".scene") != 0) fclose(in);
-    return studio_end(s, NULL, ok, f);
+    bool ok = read_scene(read, &s, &f);
+    if (ok) use(&s), studio_free(&s);
+    else if (!(f.exit_code == 1 || f.exit_code == 2) || !strchr(f.text, ':'))
+        check(false, "%s: exit %d, '%s'", name, f.exit_code, f.text);
+    for (const char *p = f.text; !ok && *p; p++)
+        if ((unsigned char)*p < ' ' || *p == 127)
+            check(false, "%s: byte %d in a message", name, *p);
+    return ok;
 }
 
 /* A copy with bytes changed, left out, doubled, or cut off. */
@@ -99,11 +68,8 @@ static void spoil(const char *text, size_t n, const char *name)
         size = n + k;
         break;
     }
-    studio s;
-    failure f;
-    if (ends_with(to, ".ppm") || ends_with(to, ".pfm")) put_bytes(to, copy, size), (void)feed(to);
-    else (void)judged(feed_bytes(ending, copy, size, &s, &f), to, &s, &f);
-    free(copy);
+    put_bytes(to, copy, size), free(copy);
+    (void)feed(to);
 }
 
 int main(void)
