@@ -583,21 +583,17 @@ static void test_choice_of_light(void)
 
 static path_counts count(const char *name, path_options how, image *out)
 {
-    showcase c;
-    path_tracer t;
-    failure f;
-    if (!showcase_of(name, 1, &c, &f)) fail(f);
-    path_tracer_of(&c.s, showcase_sky(&c), how, &t);
-    render_job j = {.tracer = &t, .eye = c.eye, .seed = 2, .threads = 1};
-    film m = film_new(20, 20);
-    passes_range(render_passes(&j), &m, 0, 8);
-    check_equal(j.refused, 0, "samples that are not numbers, %s", name);
-    image im = film_picture(&m);
+    const options o = {.seed = 2, .threads = 1};
+    shot s;
+    shot_of(&s, &o, name, how, 20, 20);
+    passes_range(render_passes(&s.j), &s.film, 0, 8);
+    check_equal(s.j.refused, 0, "samples that are not numbers, %s", name);
+    image im = film_picture(&s.film);
     for (int i = 0; i < 3 * 400; i++) check(isfinite(im.rgb[i]) && im.rgb[i] >= 0, "a radiance");
     if (out) *out = im;
     else image_free(&im);
-    film_free(&m), path_tracer_free(&t), showcase_free(&c);
-    return j.counts;
+    shot_free(&s);
+    return s.j.counts;
 }
 
 static void test_called_for(void)

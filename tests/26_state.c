@@ -60,17 +60,12 @@ static void test_part(void)
 
 /* ---- film and state ---- */
 
-typedef struct { showcase c; path_tracer t; render_job j; } place;
-
-static void place_of(place *p, const char *name, int threads)
+/* A scene, to be drawn on films of its own. */
+static void place_of(shot *p, const char *name, int threads)
 {
-    failure f;
-    if (!showcase_of(name, 1, &p->c, &f)) fail(f);
-    path_tracer_of(&p->c.s, showcase_sky(&p->c), path_defaults, &p->t);
-    p->j = (render_job){.tracer = &p->t, .eye = p->c.eye, .seed = 4, .threads = threads};
+    const options o = {.seed = 4, .threads = threads};
+    shot_of(p, &o, name, path_defaults, 1, 1);
 }
-
-static void place_free(place *p) { path_tracer_free(&p->t), showcase_free(&p->c); }
 
 static bool same(const film *a, const film *b)
 {
@@ -179,7 +174,7 @@ static void test_parts(void)
 {
     const uint32_t cut[] = {0, 1, 7, 8, 20, 33};
     const int order[] = {3, 0, 4, 2, 1};
-    place one, three;
+    shot one, three;
     failure f;
     place_of(&one, "spheres", 1), place_of(&three, "spheres", 3);
     film whole = film_new(21, 19), joined = film_new(21, 19), grown = film_new(21, 19), part;
@@ -199,7 +194,7 @@ static void test_parts(void)
     part = film_new(20, 19);
     check(!film_join(&joined, &part, &f) && strstr(f.text, "20x19"), "another size does not fit");
     film_free(&part), film_free(&whole), film_free(&joined), film_free(&grown);
-    place_free(&one), place_free(&three);
+    shot_free(&one), shot_free(&three);
 }
 
 static void test_ranges(void)
@@ -226,7 +221,7 @@ static void test_ranges(void)
 
 static void test_state(void)
 {
-    place p;
+    shot p;
     failure f;
     film m = film_new(9, 7), back;
     char settings[state_settings] = "scene x\nseed 4\n", empty[state_settings] = "";
@@ -269,25 +264,17 @@ static void test_state(void)
               && strstr(f.text, "its header is damaged"), "header %d: %s", k, f.text);
         film_free(&back), free(made);
     }
-    free(text), free(damaged), film_free(&m), place_free(&p);
+    free(text), free(damaged), film_free(&m), shot_free(&p);
 }
 
 /* ---- the program ---- */
 
 static int go(const char *arguments) { return run("26_path_tracer", arguments); }
 
-/* A fin that stands on the floor, as the file of a world in which z, or y, points up. */
-static void write_fin(const char *name, bool z_up)
-{
-    static const int p[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, -1}, {0, 1, 2}, {1, 1, 0}};
-    FILE *to = fopen(in_directory(name), "w");
-    if (!to) abort();
-    for (int i = 0; i < 6; i++)
-        fprintf(to, "%s %d %d %d\n", i < 4 ? "v" : "vn", p[i][0], z_up ? -p[i][2] : p[i][1],
-                p[i][z_up ? 1 : 2]);
-    fprintf(to, "f 1//1 2//1 3//2\nf 2//1 4//2 3//1\n");
-    fclose(to);
-}
+/* A fin that stands on the floor, as the file of a world in which y, or z, points up. */
+#define FIN_FACES "f 1//1 2//1 3//2\nf 2//1 4//2 3//1\n"
+#define FIN "v -1 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 -1\nvn 0 1 2\nvn 1 1 0\n" FIN_FACES
+#define FIN_Z "v -1 0 0\nv 1 0 0\nv 0 0 2\nv 0 1 0\nvn 0 -2 1\nvn 1 0 1\n" FIN_FACES
 
 /* Five triangles: of no material, of one that nobody describes, and of three that two libraries
  * do, one of them both. */
@@ -386,7 +373,7 @@ static void test_program(void)
     static const char *const same_bytes[][2] = {{"all.state", "more.state"},
         {"all.pfm", "more.pfm"}, {"all.state", "m.state"}, {"all.pfm", "m.pfm"},
         {"y.pfm", "z.pfm"}};
-    write_fin("y.obj", false), write_fin("z.obj", true);
+    put("y.obj", FIN), put("z.obj", FIN_Z);
     put("w.mtl", "newmtl lamp\nKe 1e30 0 0\n");
     put("w.obj", "mtllib w.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
@@ -425,7 +412,7 @@ static double distance(const film *a, const image *reference)
 static void test_error(void)
 {
     enum { side = 20 };
-    place p;
+    shot p;
     place_of(&p, "cornell", 0);  /* seen so that the light's edges, most of its noise, are not */
     p.j.eye = showcase_eye((vec3){278, 200, -150}, (vec3){278, 80, 559}, 45, 1);
     film all = film_new(side, side);
@@ -458,7 +445,7 @@ static void test_error(void)
         check_at_least(film_samples(&m), 16, "not before 16 samples");
         film_free(&m);
     }
-    image_free(&reference), film_free(&all), place_free(&p);
+    image_free(&reference), film_free(&all), shot_free(&p);
 }
 
 /* ---- environment, dielectric: closed forms ---- */
