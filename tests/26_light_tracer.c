@@ -7,42 +7,34 @@
 
 enum { side = 24, block = 4, in_row = side / block, blocks = in_row * in_row, sets = 24 };
 
-/* Means of blocks of a picture [3 side side], each set one sample of each block. */
-static void gather(const double *picture, double scale, estimate *e)
+/* Means of blocks of a picture, each set one sample of each block; the sum of all. It is freed. */
+static void gather(image *im, estimate *e, estimate *whole)
 {
-    double sum[3 * blocks] = {0};
-    for (int i = 0; i < side * side; i++)
-        for (int ch = 0; ch < 3; ch++)
-            sum[3 * (i / side / block * in_row + i % side / block) + ch] += picture[3 * i + ch];
-    for (int k = 0; k < 3 * blocks; k++)
-        e[k] = estimate_add(e[k], sum[k] * scale / (block * block));
-}
-
-static void from_eye(const showcase *c, estimate *e, estimate *mean)
-{
-    path_tracer t;
-    path_counts work = {0};
-    path_tracer_of(&c->s, NULL, path_defaults, &t);
-    uint32_t n = (uint32_t)check_sample(64, 8);
-    for (uint64_t set = 0; set < sets; set++) {
-        double picture[3 * side * side] = {0};
-        for (int i = 0; i < side * side; i++)
-            for (uint32_t k = 0; k < n; k++) {
-                path_random q = path_start(&t.how, 100 + set, (uint64_t)i, k, n);
-                point2 u = path_pair(&q);
-                real x = (real)(i % side) + u.u, y = (real)(i / side) + u.v;
-                vec3 L = path_radiance(&t, camera_ray(c->eye, x, y, side, side), &q, &work);
-                for (int ch = 0; ch < 3; ch++) picture[3 * i + ch] += (double)vaxis(L, ch);
-            }
-        gather(picture, 1.0 / n, e);
-        double sum = 0;
-        for (int i = 0; i < 3 * side * side; i++) sum += picture[i] / n;
-        *mean = estimate_add(*mean, sum);
+    double sum[3 * blocks] = {0}, all = 0;
+    for (int i = 0; i < 3 * side * side; i++) {
+        int x = i / 3 % side, y = i / 3 / side;
+        sum[3 * (y / block * in_row + x / block) + i % 3] += (double)im->rgb[i];
+        all += (double)im->rgb[i];
     }
-    path_tracer_free(&t);
+    for (int k = 0; k < 3 * blocks; k++) e[k] = estimate_add(e[k], sum[k] / (block * block));
+    *whole = estimate_add(*whole, all);
+    image_free(im);
 }
 
-static void from_lamp(const showcase *c, estimate *e, estimate *mean)
+static void from_eye(const showcase *c, estimate *e, estimate *whole)
+{
+    for (uint64_t set = 0; set < sets; set++) {
+        const options o = {.seed = 100 + set};
+        shot s = {.c = *c};
+        shot_begin(&s, &o, path_defaults, film_new(side, side));
+        passes_range(render_passes(&s.j), &s.film, 0, (uint32_t)check_sample(64, 8));
+        image im = film_picture(&s.film);
+        gather(&im, e, whole);
+        film_free(&s.film), path_tracer_free(&s.t);
+    }
+}
+
+static void from_lamp(const showcase *c, estimate *e, estimate *whole)
 {
     light_tracer t;
     path_counts work = {0};
@@ -50,13 +42,8 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
     size_t n = check_sample(20000, 2000) / light_jobs * light_jobs;
     for (uint64_t set = 0; set < sets; set++) {
         image im;
-        double picture[3 * side * side], sum = 0;
         check(light_picture(&t, 200 + set, n, 0, &im, &work), "not stopped");
-        for (int i = 0; i < 3 * side * side; i++)
-            picture[i] = (double)im.rgb[i], sum += picture[i];
-        gather(picture, 1, e);
-        *mean = estimate_add(*mean, sum);
-        image_free(&im);
+        gather(&im, e, whole);
     }
     image one, three;
     path_counts again = {0};

@@ -20,13 +20,8 @@ static vec3 in_cube(real r) { return random_in_cube(&rng, r); }
 static mesh ball_mesh(int levels)
 {
     icosphere b = icosphere_new(levels, (vec3){0, 0, 0}, 1);
-    mesh m = {.v = allocate(b.vertices, sizeof *m.v), .vertices = b.vertices,
-              .index = allocate(3 * (size_t)b.triangles, sizeof *m.index),
-              .triangles = b.triangles};
-    memcpy(m.v, b.v, b.vertices * sizeof *m.v);
-    memcpy(m.index, b.index, 3 * (size_t)b.triangles * sizeof *m.index);
-    icosphere_free(&b);
-    return m;
+    free(b.edge), free(b.fan);
+    return (mesh){.v = b.v, .vertices = b.vertices, .index = *b.index, .triangles = b.triangles};
 }
 
 static affine random_place(void)
