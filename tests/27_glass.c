@@ -333,32 +333,6 @@ static void test_begins_elsewhere(void)
 #define FROSTED "material frosted\nKd 0\nNi 1.5\nillum 7\n"
 #define GREY_SKY "camera from 0 0 6 at 0 0 0 angle 25\nenvironment 0.2 0.4 0.6  1 0.8 0.3\n"
 
-/* The mean along a ray, by the dice of that seed. */
-static estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
-{
-    effects_function *f = effects_made_for(q->e.mask);
-    media_set in = bodies_around(&q->e, r.o, NULL);
-    effects_counts c = {.lost = 0};
-    estimate m = {0};
-    size_t bad = 0;
-    for (size_t i = 0; i < n; i++) {
-        dice d = dice_start(seed, i, 0);
-        vec3 L = f(&q->e, r, in, &d, &c);
-        bad += !(vfinite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
-        m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
-    }
-    check_equal(bad, 0, "of %zu, those that are no light", n);
-    return m;
-}
-
-/* The probability that two means of the same light are so far apart. */
-static double likely_alike(estimate x, estimate y)
-{
-    double a = estimate_error(x), b = estimate_error(y), error = sqrt(a * a + b * b);
-    double off = fabs(x.mean - y.mean) - 4096 * (double)real_epsilon;
-    return off <= 0 ? 1 : error > 0 ? erfc(off / error / sqrt(2.)) : 0;
-}
-
 /* Two scenes have the same light along rays of the first's picture. False alarms: 1e-8 each. */
 static void test_alike(const char *what, const char *one, const char *other)
 {
@@ -376,24 +350,6 @@ static void test_alike(const char *what, const char *one, const char *other)
     }
     check_at_least(worst, 1e-8, "%s: least p of 48 rays", what);
     tear_down(&a), tear_down(&b);
-}
-
-/* 26's, of all that shines of a scene a white background. */
-static estimate mean_of_26(const set *q, ray r, size_t n)
-{
-    lit_scene lit;
-    path_tracer t;
-    path_counts c = {0};
-    estimate m = {0};
-    classic_lit(&q->s, &lit);
-    lit.background = (vec3){1, 1, 1};
-    path_tracer_of(&lit, NULL, path_defaults, &t);
-    for (size_t i = 0; i < n; i++) {
-        path_random own = path_start(&t.how, 8, i, 0, 1);
-        m = estimate_add(m, (double)path_radiance(&t, r, &own, &c).x);
-    }
-    path_tracer_free(&t), lit_free(&lit);
-    return m;
 }
 
 /* In white light nothing is won, and what facets hide is lost: of each face at most some alpha, and
@@ -415,7 +371,7 @@ static void test_furnace(void)
             double error = 6 * estimate_error(e) + 100 * (double)real_epsilon;
             double all = j == 4 ? 2.25 : 1;  /* n^2 (19.11) */
             check_at_most(e.mean, all + error, "light is won, roughness %g, ray %d", rough[k], j);
-            check_at_least(likely_alike(e, mean_of_26(&q, r, check_count(4000))), 1e-8,
+            check_at_least(likely_alike(e, mean_of_26(&q, 1, r, check_count(4000))), 1e-8,
                            "as much as 26: %g, roughness %g, ray %d", e.mean, rough[k], j);
             if (j != 0 && j != 4) continue;
             check_at_least(e.mean, all * (1 - rough[k] * rough[k]) - error,

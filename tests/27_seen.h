@@ -8,6 +8,9 @@
  *   test_same(what, one, other)                        two scenes without chance are one picture
  *   test_way(text, z, exponent)                        the light left along -z
  *   along(&e, n, estimates)                            n throws, through the middle of the picture
+ *   estimate m = mean_along(&q, r, seed, n)            of a colour's channels together, along r
+ *   estimate m = mean_of_26(&q, background, r, n)      the same by 26
+ *   double p = likely_alike(m, other)                  the probability that both are one light
  *   expect(what, text, exact, rounding, mask)          their mean is exact; mask 0: of the plan
  *   expect_of(n, what, ..)                             of n throws
  */
@@ -117,6 +120,51 @@ static inline void expect(const char *what, const char *text, const double exact
                           double rounding, unsigned mask)
 {
     expect_of(check_count(20000), what, text, exact, rounding, mask);
+}
+
+/* The mean along a ray, by the dice of that seed. */
+static inline estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
+{
+    effects_function *f = effects_made_for(q->e.mask);
+    media_set in = bodies_around(&q->e, r.o, NULL);
+    effects_counts c = {.lost = 0};
+    estimate m = {0};
+    size_t bad = 0;
+    for (size_t i = 0; i < n; i++) {
+        dice d = dice_start(seed, i, 0);
+        vec3 L = f(&q->e, r, in, &d, &c);
+        bad += !(vfinite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
+        m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
+    }
+    check_equal(bad, 0, "of %zu, those that are no light", n);
+    return m;
+}
+
+/* The probability that two means of the same light are so far apart. */
+static inline double likely_alike(estimate x, estimate y)
+{
+    double a = estimate_error(x), b = estimate_error(y), error = sqrt(a * a + b * b);
+    double off = fabs(x.mean - y.mean) - 4096 * (double)real_epsilon;
+    return off <= 0 ? 1 : error > 0 ? erfc(off / error / sqrt(2.)) : 0;
+}
+
+/* 26's, of all that shines of a scene behind which is that. */
+static inline estimate mean_of_26(const set *q, real background, ray r, size_t n)
+{
+    lit_scene lit;
+    path_tracer t;
+    path_counts c = {0};
+    estimate m = {0};
+    classic_lit(&q->s, &lit);
+    lit.background = (vec3){background, background, background};
+    path_tracer_of(&lit, NULL, path_defaults, &t);
+    for (size_t i = 0; i < n; i++) {
+        path_random own = path_start(&t.how, 8, i, 0, 1);
+        vec3 L = path_radiance(&t, r, &own, &c);
+        m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
+    }
+    path_tracer_free(&t), lit_free(&lit);
+    return m;
 }
 
 #endif
