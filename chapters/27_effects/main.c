@@ -43,23 +43,17 @@ int main(int argc, char **argv)
     if (!o.out && !o.own && !(draw_six(&o, false) && (!o.full || draw_six(&o, true))))
         die(parallel_stopped(), "stopped");
     if (request_is_short(&o)) return output_done(&o);
-    studio s;
-    studio_view view;
-    camera c;
-    effects_stage e;
+    effects_ready r;
     failure f;
-    request_read(&q, &o, &s);
-    explain_warnings(stderr, &s);
-    plan p = plan_of(&s);
-    unsigned mask = p.effects;
+    request_read(&q, &o, &r.s);
+    explain_warnings(stderr, &r.s);
+    if (!effects_get_ready(&r, (real)o.width / (real)o.height, &f)) fail(f);
+    unsigned mask = r.p.effects;
     if (q.effects && !effects_read(q.effects, &mask, &f)) fail(f);
-    if (!studio_camera(&s, (real)o.width / (real)o.height, &view, &c, &f)) fail(f);
-    if (q.told) explain(stdout, &s, &p, &view);
-    if (!effects_stage_build(&s, &e, &f)) fail(f);
-    effects_stage_view(&e, &view, c);
+    if (q.told) explain(stdout, &r.s, &r.p, &r.view);
     /* All of them: the estimator that knows no plan. */
-    effects_stage_effects(&e, mask == EFFECTS_ALL ? (unsigned)EFFECTS_EVERYTHING : mask);
-    request_show(&o, &q, &p, &e);
-    effects_stage_free(&e), plan_free(&p), studio_free(&s);
+    effects_stage_effects(&r.e, mask == EFFECTS_ALL ? (unsigned)EFFECTS_EVERYTHING : mask);
+    request_show(&o, &q, &r.p, &r.e);
+    effects_ready_free(&r);
     return output_done(&o);
 }
