@@ -979,7 +979,8 @@ static void put_scenes(void)
     put("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 
-/* Files of --torture, given back as another renderer's: all that are right, then some shifted. */
+/* Files of --torture, given back as another renderer's: all that are right, then some shifted, one
+ * that holds rays, and one of another seed. */
 static void test_torture(void)
 {
     static const dialogue list[] = {
@@ -988,16 +989,17 @@ static void test_torture(void)
         {1, "--quick --torture @t --score x", {"err", "inside.x.hits"}},
         {0, "--quick --torture @t --score x", {0}},
         {1, "--quick --torture @t --score x", {"err", "answers are wrong"}},
+        {2, "--quick --torture @t --score y", {"err", "240 hits: 60 are expected"}},
         {2, "--quick --torture @t --score x --seed 5", {"err", "not the rays of this seed"}},
         {2, "--quick --torture @t --csv @t/inside.rays", {"err", "is a file of --torture"}},
         {2, "--quick --torture @t --score x --csv @t/start.obj", {"err", "a file of --torture"}}};
     test_dialogue(list, 2);
-    check_equal(shell("cd @t && cp inside.rays kept "
-                      "&& for f in *.hits; do cp $f ${f%.hits}.x.hits; done"), 0, "files");
+    check_equal(shell("cd @t && cp inside.rays kept && for f in *.hits; do "
+                      "cp $f ${f%.hits}.x.hits; done; cp inside.rays inside.y.hits"), 0, "files");
     test_dialogue(list + 2, 1);
     check_equal(shell("cd @t && { tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits"),
                 0, "files");  /* of the next ray */
-    test_dialogue(list + 3, 4);
+    test_dialogue(list + 3, 5);
     check(equal_files("t/inside.rays", "t/kept") && printed("t/start.obj", "\nf "), "nothing lost");
 }
 

@@ -1,10 +1,8 @@
 /* The exact cases of --torture: is the oracle exact, and does it tell right from wrong? */
 #include "check.h"
-#include "../chapters/07_mesh/files/ray_file.h"
 #include "../chapters/07_mesh/scenes/as_first.h"
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/09_aabb/trials/torture.h"
-#include <unistd.h>
 
 /* All fractions of small whole numbers, against their cross products. */
 static void test_less(void)
@@ -283,31 +281,8 @@ static void test_error(void)
     }
 }
 
-static void test_files(void)
-{
-    char path[] = "/tmp/tortureXXXXXX";
-    failure f;
-    size_t n, differ = 0;
-    torture t = torture_make(10, 50, 3);
-    close(mkstemp(path));
-    if (!rays_write(path, t.r, t.n, &f)) fail(f);
-    ray *r = rays_read(path, &n, &f);
-    check(r && n == t.n, "as many rays as were written");
-    for (size_t i = 0; r && i < n; i++) differ += memcmp(&r[i], &t.r[i], sizeof *r) != 0;
-    check_equal(differ, 0, "rays are floats, and come back as they were");
-    free(r), file_forget(path);
-    check(!hits_read(path, n, &f) && f.exit_code == 2, "a file of rays is not one of so many hits");
-    file_forget(path);
-    hit h[2] = {{(real)1.5, 0, 0, 7}, hit_none}, *back;
-    if (!hits_write(path, h, 2, false, &f)) fail(f);
-    back = hits_read(path, 2, &f);
-    check(back && back[0].t == h[0].t && back[0].shape == 7 && back[1].shape == no_shape,
-          "hits come back");
-    free(back), unlink(path), torture_free(&t);
-}
-
 int main(void)
 {
     return check_all("17_torture", test_less, test_meet, test_nearest, test_kinds, test_classes,
-                     test_judge, test_error, test_files);
+                     test_judge, test_error);
 }
