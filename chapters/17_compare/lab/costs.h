@@ -7,10 +7,11 @@
  *   sweep_run(&s, to)               a table and a plot: who is on the Pareto front of building and
  *                                   searching? A point with another below and to its left is not
  *
- * A turn: a quarter of the rays, untimed, so that the structure is in the cache again; then all of
- * them, timed. Steps and tests are counted with that quarter. All are asked, or as many as
- * most_work steps and tests allow (of the quarter: cost_few), which 64 of them tell. (First
- * versions count no steps.) Who has taken a second has no further turn, after three. BENCH_ONCE: no
+ * A turn: all its rays, untimed, so that what they need is in the cache again, then timed. (Where
+ * they take more than cost_warm steps and tests, a quarter will do: after that a grid of 100,000
+ * triangles took a quarter longer.) Steps and tests are counted with that quarter. All are asked,
+ * or as many as most_work steps and tests allow (of the quarter: cost_few), which 64 of them tell.
+ * (First versions count no steps.) Who has taken a second has no further turn, after three. BENCH_ONCE: no
  * turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
@@ -35,10 +36,15 @@ static inline void cost_cell(table *t, bool known, double x)
 }
 
 enum { cost_most_turns = 9, cost_sample = 64 };
-static const double cost_full = 4e7, cost_few = 2e6;  /* steps and tests */
+static const double cost_full = 4e7, cost_few = 2e6, cost_warm = 1e7;  /* steps and tests */
 
-/* Of one structure: its rays, those that warm it, and the seconds of its turns. */
-typedef struct { ray_set all, warm; double seconds[cost_most_turns]; int done; } cost_turns;
+/* Of one structure: its rays, the quarter, what warms it, and the seconds of its turns. */
+typedef struct {
+    ray_set all, quarter;
+    bool warm_by_all;
+    double seconds[cost_most_turns];
+    int done;
+} cost_turns;
 
 /* Steps, tests and hits of some rays; seconds. */
 static inline double cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
@@ -64,9 +70,10 @@ static inline cost_turns cost_begin(compare_entry *e, compare_kind kind, const r
     cost_count(e, kind, &some);
     double each = per((double)(e->work[kind].nodes + e->work[kind].tests), some.n);
     t.all = cost_rays(rays, rays->n, most_work, each);
-    t.warm = cost_rays(&t.all, t.all.n / 4 + 1, cost_few, each);
-    t.seconds[0] = cost_count(e, kind, &t.warm);
-    if (getenv("BENCH_ONCE")) t.seconds[t.done++] *= per((double)t.all.n, t.warm.n);
+    t.quarter = cost_rays(&t.all, t.all.n / 4 + 1, cost_few, each);
+    t.warm_by_all = each * (double)t.all.n <= cost_warm;
+    t.seconds[0] = cost_count(e, kind, &t.quarter);
+    if (getenv("BENCH_ONCE")) t.seconds[t.done++] *= per((double)t.all.n, t.quarter.n);
     e->rays[kind] = t.all.n;
     rays_free(&some);
     return t;
@@ -75,7 +82,8 @@ static inline cost_turns cost_begin(compare_entry *e, compare_kind kind, const r
 static inline void cost_turn(compare_entry *e, compare_kind kind, cost_turns *t, hit *out)
 {
     bool any = kind == KIND_SHADOW;
-    e->c->search(e->s, t->warm.r, t->warm.n, any, out);
+    const ray_set *warm = t->warm_by_all ? &t->all : &t->quarter;
+    e->c->search(e->s, warm->r, warm->n, any, out);
     double start = work_seconds();
     e->hits[kind] = e->c->search(e->s, t->all.r, t->all.n, any, out);
     t->seconds[t->done++] = work_seconds() - start;
@@ -101,7 +109,7 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns, double
         cost_turns *t = &of[k];
         if (!e[k].s) continue;
         if (t->done) e[k].seconds[kind] = bench_median(t->seconds, t->done, &e[k].spread[kind]);
-        rays_free(&t->all), rays_free(&t->warm);
+        rays_free(&t->all), rays_free(&t->quarter);
     }
     compare_progress(s->w->name, NULL, NULL);
     free(out);
