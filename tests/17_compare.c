@@ -772,6 +772,7 @@ static void test_misuse(void)
         {"--hits x", "--rays"}, {"--any-hit", "--rays"}, {"--memory 0", "from 1"},
         {"--rays r --verify", "one of them"}, {"--verify --csv x", "tables"},
         {"--protocol spd --csv x", "tables"}, {"--scene balls --out x.png", "picture"},
+        {"--scene balls --preview", "picture"}, {"--orders --preview", "picture"},
         {"--out x.png --csv y", "one of them"}, {"--only bvh:leaf=0", "from 1 to 255"},
         {"--only bvh:leaf=2.5", "whole"}, {"--only bvh:leaf", "options of bvh"},
         {"--only example:leaf=1", "none"}, {"--only bvh:rule=best", "morton"},

@@ -114,8 +114,9 @@ static inline void check_options(const options *o, const compare_options *own)
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},
         {own->report && !timed, "--report goes with what is measured: not with --verify, "
                                    "--protocol, --rays"},
-        {o->out && (own->scene || own->mesh[0] || !timed || own->sweep || own->report),
-         "--out is for the picture of all scenes: it goes with no other work"},
+        {(o->out || o->preview) && (own->scene || own->mesh[0] || !timed || own->sweep
+                                    || own->report || own->regimes || own->orders || own->torture),
+         "--out and --preview are for the picture of all scenes: they go with no other work"},
         {o->out && o->csv, "--out draws, --csv measures: one of them"}};
     for (size_t k = 0; k < sizeof rules / sizeof *rules; k++)
         if (rules[k].wrong) die(2, "%s", rules[k].says);
