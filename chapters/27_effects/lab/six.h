@@ -87,13 +87,11 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     table_text(t, "%s", list[k].name);
     table_text(t, "%s", integrator_of(q.p.effects));
     table_text(t, "%s", called);
-    double rays[2];
-    for (int i = 0; i < 2; i++) {
-        const drawing *d = i ? &all : &j;
-        rays[i] = (double)draw_rays(&d->counts) / draw_pixels(d);
-        table_number(t, rays[i]), table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
-    }
-    snprintf(called, sizeof called, "%.3g of %.3g rays a pixel", rays[0], rays[1]);
+    double lean = (double)draw_rays(&j.counts) / draw_pixels(&j);
+    double rays = (double)draw_rays(&all.counts) / draw_pixels(&all);
+    table_number(t, lean), table_number(t, j.pass.seconds / draw_pixels(&j) * 1e6);
+    table_number(t, rays), table_number(t, all.pass.seconds / draw_pixels(&all) * 1e6);
+    snprintf(called, sizeof called, "%.3g of %.3g rays a pixel", lean, rays);
     if (w >= six_width) {
         label_tag(im, 4, h - 36, 9, integrator_of(q.p.effects));
         label_tag(im, 4, h - 19, 9, called);
@@ -102,55 +100,50 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
     return whole;
 }
 
-/* Panels of w pixels, so many across; the table is left to the caller. False: stopped. */
+/* Panels of w pixels, so many across, and the table of that name; NULL: none. False: stopped. */
 static inline bool six_draw(const options *o, const six_scene *list, int n, int across, int w,
-                            const int samples[2], int finer, const char *file, bool is_main,
-                            table *t, table *first)
+                            const int samples[2], int finer, const char *file, const char *name,
+                            table *first)
 {
-    int h = w * six_height / six_width;
     const char *title[six_count];
-    bool whole = true;
-    image sheet = image_new(across * w, n / across * h);
+    bool whole = true, is_main = first != NULL;
+    image sheet = {0, 0, NULL};
+    table t = table_new(name, "scene|plan|called for|rays a pixel|[us/pixel]|everything: rays|"
+                              "everything [us/pixel]");
     for (int k = 0; k < n; k++) title[k] = list[k].title;
     for (int k = 0; k < n && whole; k++) {
         image im;
-        whole = six_panel(o, list, k, w, h, samples, finer, t, first, &im);
-        image_place(&sheet, k % across * w, k / across * h, &im);
+        whole = six_panel(o, list, k, w, w * six_height / six_width, samples, finer, &t, first,
+                          &im);
+        label_panel(&sheet, across, n / across, 0, k, &im);
         image_free(&im);
     }
     label_titles(&sheet, across, n / across, 0, title);
     output_picture(o, &sheet, file, is_main, whole);
     image_free(&sheet);
+    if (whole && is_main) output_table(o, &t);
+    else if (whole && name) output_extra_table(o, &t);
+    else table_free(&t);
     return whole;
-}
-
-static inline table six_table(const char *title)
-{
-    return table_new(title, "scene|plan|called for|rays a pixel|[us/pixel]|everything: rays|"
-                            "everything [us/pixel]");
 }
 
 static inline bool draw_two(const options *o)
 {
     if (access(six_scenes, R_OK) != 0) return true;
-    table t = six_table("Two scenes, two plans");
-    bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4}, 1,
-                          "27_effects_two.png", false, &t, NULL);
-    if (whole) output_extra_table(o, &t);
-    else table_free(&t);
-    return whole;
+    return six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4}, 1,
+                    "27_effects_two.png", "Two scenes, two plans", NULL);
 }
 
 cold_inline bool draw_six(const options *o, bool fine)
 {
-    table t = six_table("Six scenes, each a line longer: what is called for, and everything");
-    table own = first_table("The same scenes by the short book's plan, first.h");
-    table *first = fine ? NULL : &own;
-    bool whole = six_draw(o, six_list, six_count, 3, o->quick ? six_width / 4 : six_width,
-                          (const int[2]){16, 4}, fine ? 8 : 1,
-                          fine ? "27_effects_six.png" : "27_effects.png", !fine, &t, first);
-    if (whole && !fine) output_table(o, &t), output_extra_table(o, first);
-    else table_free(&t), table_free(&own);
+    const int w = o->quick ? six_width / 4 : six_width, samples[2] = {16, 4};
+    if (fine)
+        return six_draw(o, six_list, six_count, 3, w, samples, 8, "27_effects_six.png", NULL, NULL);
+    table first = first_table("The same scenes by the short book's plan, first.h");
+    bool whole = six_draw(o, six_list, six_count, 3, w, samples, 1, "27_effects.png", "Six scenes, "
+                          "each a line longer: what is called for, and everything", &first);
+    if (whole) output_extra_table(o, &first);
+    else table_free(&first);
     return whole;
 }
 
