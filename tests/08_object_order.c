@@ -456,7 +456,7 @@ static void test_slanted(void)
     camera twice = {c.kind, c.e, c.u, c.v, c.w, 0, 2 * few, 0, 2 * few, 2, c.direction};
     raster same = raster_new(few, few);  /* the picture twice as far away and as large: t halves */
     raster_mesh(&same, &m, twice, raster_default);
-    check_close((double)same.h[7 * few + 8].t, 0.9, 32 * eps, "raster.h: in lengths of the ray's d");
+    check_close((double)same.h[7 * few + 8].t, 0.9, 32 * eps, "raster.h: in lengths of d");
     raster_free(&same);
     check_close((double)h.u, 0.5, 32 * eps, "first.h: half the way in the picture");
     check_close((double)h.t, 5, 200 * eps, "first.h: half the depth");
