@@ -30,9 +30,8 @@ static inline void measure_relations(const options *o)
 
 /* ---- error against samples and time ---- */
 
-/* 16, 64 .. 16384 samples; without --full 4096. The four ways of the sphere, first.h's
- * (direction_ways), the four of the square. */
-enum { way_levels = 6, way_brief = 4, ways_all = 2 * direction_ways + 1 };
+/* 16, 64 .. 16384 samples; without --full 4096. Four ways of the sphere, four of the square. */
+enum { way_levels = 6, way_brief = 4, ways_all = radiometry_lights * direction_ways };
 typedef struct {
     const options *o;
     radiometry_light light;
@@ -42,10 +41,15 @@ typedef struct {
 
 static inline uint32_t way_samples(int l) { return (uint32_t)16 << (2 * l); }
 
+/* Uniform directions that look for the sphere are what first.h has. */
+static inline bool way_is_first(const radiometry_way *w)
+{
+    return w->light == LIGHT_SPHERE && w->by == BY_HEMISPHERE;
+}
+
 static inline double way_estimate(const radiometry_way *w, uint64_t run, uint32_t n)
 {
-    if (w->by != direction_ways)
-        return direction_estimate(w->light, w->by, w->o->seed, run, n);
+    if (!way_is_first(w)) return direction_estimate(w->light, w->by, w->o->seed, run, n);
     random_stream random = random_start(w->o->seed, run, n);
     return (double)first_mean(first_irradiance_by_directions(lamp, 1, seen_from, seen_up, (int)n,
                                                              &random));
@@ -77,16 +81,14 @@ static inline void measure_estimators(const options *o)
                         "relative) and time", "light|samples by|error random|time random [us]");
     plot p = plot_new("Irradiance of the square: error against time", "time [us]", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < ways_all; i++) {
-        int square = i > direction_ways;
-        w[i] = (radiometry_way){o, square ? LIGHT_SQUARE : LIGHT_SPHERE,
-                                (direction_way)(i - square * (direction_ways + 1)), {0}};
-    }
+    for (int i = 0; i < ways_all; i++)
+        w[i] = (radiometry_way){o, (radiometry_light)(i / direction_ways),
+                                (direction_way)(i % direction_ways), {0}};
     parallel_whole(ways_all, o->threads, "estimates", way_job, w);
     bench_each(run_way, w, sizeof *w, ways_all, o->quick ? 3 : o->full ? 51 : 15, 1e6 / 1024, us);
     for (int i = 0; i < ways_all; i++) {
         table_text(&t, "%s", radiometry_light_name[w[i].light]);
-        table_text(&t, "%s", i == direction_ways ? "first" : direction_name[w[i].by]);
+        table_text(&t, "%s", way_is_first(&w[i]) ? "first, hemisphere" : direction_name[w[i].by]);
         table_number(&t, w[i].rms[way_brief]), table_number(&t, us[i] * way_samples(way_brief));
         if (w[i].light == LIGHT_SPHERE) continue;
         int series = plot_series(&p, direction_name[w[i].by]);
