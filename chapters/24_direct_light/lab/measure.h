@@ -1,6 +1,6 @@
 /* measure.h: error against time for every way of drawing.
  *
- *   measure_ways(o)     main table: all ways and first.h's, box and plates; --full: a plot
+ *   measure_ways(o)     main table: ways, box and plates; --full: the two heuristics, a plot of all
  *   measure_points(o)   the lamp as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..: error,
  *                       where all of it is seen and where a part is; beside it k random points.
  *                       Truth: the closed form of 22, or survey.h's reference
@@ -27,31 +27,46 @@ static inline void plot_plates(const direct_survey *s, const options *o)
     output_plot(o, &p, "24_direct_light_plates_time.svg");
 }
 
+static inline table ways_table(const char *title)
+{
+    return table_new(title, "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
+                            "time [us]");
+}
+
+/* s: box, plates; the plates do not have first.h's way. */
+static inline void ways_row(table *t, const direct_survey s[2], int way)
+{
+    direct_work w = s[0].work[way][survey_brief];
+    table_text(t, "%s", way == survey_first ? "first" : direct_name[way]);
+    if (way == survey_first) table_text(t, "-");
+    else table_number(t, (double)(w.shadow + w.direction) / (double)w.samples);
+    for (int i = 0; i < 2; i++) {
+        if (way >= s[i].ways) {
+            table_text(t, "-"), table_text(t, "-");
+            continue;
+        }
+        table_number(t, s[i].error[way][survey_brief]);
+        table_number(t, 1e6 * s[i].seconds[way]);
+    }
+}
+
+/* Errors and times of the two heuristics are alike: the main table has one. */
 static inline void measure_ways(const options *o)
 {
-    table t = table_new("Eight ways and the short book's, 64 samples a point",
-                        "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
-                        "time [us]");
     direct_survey s[2];
     survey_open(&s[0], o, STAGE_FIRST, survey_points, 2048);
     survey_open(&s[1], o, STAGE_PLATES, survey_points, 1024);
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
-    for (int k = 0; k < survey_ways; k++) {
-        table_text(&t, "%s", k == survey_first ? "first" : direct_name[k]);
-        direct_work w = s[0].work[k][survey_brief];
-        if (k == survey_first) table_text(&t, "-");
-        else table_number(&t, (double)(w.shadow + w.direction) / (double)w.samples);
-        for (int i = 0; i < 2; i++) {
-            if (k >= s[i].ways) {
-                table_text(&t, "-"), table_text(&t, "-");
-                continue;
-            }
-            table_number(&t, s[i].error[k][survey_brief]);
-            table_number(&t, 1e6 * s[i].seconds[k]);
-        }
-    }
+    table t = ways_table("Seven ways and the short book's, 64 samples a point");
+    for (int k = 0; k < survey_ways; k++)
+        if (k != DIRECT_BALANCE) ways_row(&t, s, k);
     output_table(o, &t);
-    if (o->full) plot_plates(&s[1], o);
+    if (o->full) {
+        t = ways_table("Points by angle and the two heuristics, 64 samples a point");
+        for (int k = DIRECT_ANGLE; k <= DIRECT_POWER; k++) ways_row(&t, s, k);
+        output_extra_table(o, &t);
+        plot_plates(&s[1], o);
+    }
     survey_close(&s[0]), survey_close(&s[1]);
 }
 
