@@ -1,7 +1,7 @@
 /* measure_branches.h: why one direction is enough, and what asking the lamp is worth.
  *
  *   measure_branches(o)   main table: samples by N directions a hit, by terms.h and by first.h, of
- *                         the same light; error in equal time
+ *                         the same light; error in equal time. --full: all N of one bounce
  *
  *   branch_survey *b = allocate(1, sizeof *b);
  *   trials_begin(b, &o);
@@ -212,32 +212,52 @@ static inline estimate trial_square(const branch_survey *b, int trial, double *r
     return (estimate){square.n, square.mean / exact / exact, square.squares / pow(exact, 4)};
 }
 
+typedef struct { double rays, error, off, time; } trial_result;  /* of a sample; off: -+ error */
+
+/* Error in the same time, in some unit. */
+static inline double trial_dear(const trial_result *r) { return r->error * sqrt(r->time); }
+
+/* The trials before `end`; of_page: without N = 2 and N = 4 of one bounce. */
+static inline table branches_table(const char *title, const trial_result *r, int end, bool of_page)
+{
+    table t = table_new(title, "bounces|N|rays|error of a sample, -+ [1]|time of a sample [us]|"
+                               "time: error over that of N = 1");
+    for (int k = 0; k < end; k++) {
+        if (of_page && k > 0 && k < branch_kinds - 1) continue;
+        table_count(&t, (size_t)trial_bounces(k));
+        if (k < trial_terms) table_count(&t, (size_t)trial_branches(k));
+        else table_text(&t, k == trial_first ? "first" : "terms");
+        table_number(&t, r[k].rays);
+        table_text(&t, "%.3g -+ %.1g", r[k].error, r[k].off), table_number(&t, r[k].time);
+        table_number(&t, trial_dear(&r[k]) / trial_dear(&r[trial_depth_index(k) * branch_kinds]));
+    }
+    return t;
+}
+
 static inline void measure_branches(const options *o)
 {
     branch_survey *b = allocate(1, sizeof *b);
     timed_trial timed[trials];
-    double us[trials], one = 0;
-    table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
-                        "the same time", "bounces|N|rays|error of a sample, -+ [1]|"
-                        "time of a sample [us]|time: error over that of N = 1");
+    trial_result r[trials];
+    double us[trials];
     trials_begin(b, o);
     parallel_whole(b->pixels, o->threads, "reference", trial_reference, b);
     parallel_whole(trial_first * b->pixels + 1, o->threads, "N directions", trial_job, b);
     for (int k = 0; k < trials; k++) timed[k] = (timed_trial){b, k, o->quick ? 500 : 3000, 0};
     bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : o->full ? 15 : 5, 1e6, us);
     for (int k = 0; k < trials; k++) {
-        double rays;
-        estimate square = trial_square(b, k, &rays);
-        double error = sqrt(square.mean), time = us[k] / timed[k].rays * rays;
-        if (k < trial_terms && k % branch_kinds == 0) one = error * sqrt(time);
-        table_count(&t, (size_t)trial_bounces(k));
-        if (k < trial_terms) table_count(&t, (size_t)trial_branches(k));
-        else table_text(&t, k == trial_first ? "first" : "terms");
-        table_number(&t, rays);
-        table_text(&t, "%.3g -+ %.1g", error, estimate_error(square) / (2 * error));
-        table_number(&t, time), table_number(&t, error * sqrt(time) / one);
+        estimate square = trial_square(b, k, &r[k].rays);
+        r[k].error = sqrt(square.mean), r[k].off = estimate_error(square) / (2 * r[k].error);
+        r[k].time = us[k] / timed[k].rays * r[k].rays;
     }
+    table t = branches_table("Cornell box, N directions a hit: relative error (rms) of a sample, "
+                             "and in the same time", r, trials, true);
     output_table(o, &t);
+    if (o->full) {
+        t = branches_table("Cornell box, one bounce: relative error (rms) of a sample, and in the "
+                           "same time", r, branch_kinds, false);
+        output_extra_table(o, &t);
+    }
     trials_end(b), free(b);
 }
 
