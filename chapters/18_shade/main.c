@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
  * Without options: the gallery and its rays, what goes wrong with its shadows far out, the edge of
- * light on a mesh, a drawing, the table of ways to leave a surface. --full: a table more, and its
- * plot. --samples N: down to a square. */
+ * light on a mesh, a drawing, the table of ways to leave a sphere. --full: that of triangles, its
+ * plot, and needles. --samples N: down to a square. */
 #include "../../common/lab/report.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -23,7 +23,7 @@ int main(int argc, char **argv)
     draw_acne(&o);
     draw_terminator(&o);
     draw_tilt(&o);
-    table_of_leaving(&o);
-    if (o.full) table_of_needles(&o), plot_of_leaving(&o);
+    table_of_spheres(&o);
+    if (o.full) table_of_triangles(&o), table_of_needles(&o);
     return output_done(&o);
 }

@@ -40,7 +40,7 @@ static const subject subjects[] = {
     {"15_wide_bvh", "rays into a mesh", "error [lost]", "leaky|2000",
      "watertight|2000"},
     {"16_instances", "plants lost far away", "error far", "boxes naive", "boxes of points"},
-    {"18_shade", "shadows that leak", "error: leak T=0 [%]", "first|triangle", "leave|triangle"},
+    {"18_shade", "shadows that leak", "error: leak T=0 [%]", "first|", "leave|"},
     {"19_whitted", "depth 5, or a cut", "error: rmse", "depth|5|", "cut|64|0.01|"},
     {"20_monte_carlo", "a smooth integral", "error smooth", "random", "Sobol', Owen"},
     {"21_distributed", "all effects", "error N=64", "all others|random", "all others|Sobol', Owen"},

@@ -1,8 +1,8 @@
 /* measure.h: the tables: ways to leave a surface, near and far.
  *
- *   table_of_leaving(&o)     acne and leaks of spheres and triangles, with time
+ *   table_of_spheres(&o)     acne and leaks, with time; the main table
+ *   table_of_triangles(&o)   the same of triangles, and a plot of acne and leaks against time
  *   table_of_needles(&o)     pbrt's bounds and ours on 1e5 needles
- *   plot_of_leaving(&o)      acne and leaks of triangles against time
  */
 #ifndef SHADE_LAB_MEASURE_H
 #define SHADE_LAB_MEASURE_H
@@ -54,24 +54,29 @@ static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[le
     free(x);
 }
 
-static inline void table_of_leaving(const options *o)
+/* Also gives the times of all ways, as the plot has them. */
+static inline table table_of_leaving(const options *o, departure_kind kind, const char *title,
+                                     double ns[leavings])
 {
     size_t n = o->quick ? 300 : 2000;
-    table t = table_new("Leaving a surface of size 1 at the origin, and T = 1e6 away",
-                        "method|shape|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
-                        "error: leak 1e6|time [ns]");
-    for (int s = 0; s < 2; s++) {
-        departure_kind kind = s ? DEPART_TRIANGLE : DEPART_SPHERE;
-        double ns[leavings];
-        leaving_time(kind, o->seed, ns);
-        for (int k = 0; k < leavings; k++) {
-            leaving_score near = leaving_play(ways[k], kind, 1, 0, o->seed, n);
-            leaving_score far = leaving_play(ways[k], kind, 1, 1e6, o->seed, n);
-            table_text(&t, "%s", ways[k].name), table_text(&t, s ? "triangle" : "sphere");
-            table_number(&t, near.self), table_number(&t, far.self);
-            table_number(&t, near.leak), table_number(&t, far.leak), table_number(&t, ns[k]);
-        }
+    table t = table_new(title, "method|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
+                               "error: leak 1e6|time [ns]");
+    leaving_time(kind, o->seed, ns);
+    for (int k = 0; k < leavings; k++) {
+        leaving_score near = leaving_play(ways[k], kind, 1, 0, o->seed, n);
+        leaving_score far = leaving_play(ways[k], kind, 1, 1e6, o->seed, n);
+        table_text(&t, "%s", ways[k].name);
+        table_number(&t, near.self), table_number(&t, far.self);
+        table_number(&t, near.leak), table_number(&t, far.leak), table_number(&t, ns[k]);
     }
+    return t;
+}
+
+static inline void table_of_spheres(const options *o)
+{
+    double ns[leavings];
+    table t = table_of_leaving(o, DEPART_SPHERE,
+                               "Leaving a sphere of size 1 at the origin, and T = 1e6 away", ns);
     output_table(o, &t);
 }
 
@@ -95,19 +100,27 @@ static inline void table_of_needles(const options *o)
     output_extra_table(o, &t);
 }
 
-cold_inline void plot_of_leaving(const options *o)
+static inline void plot_of_leaving(const options *o, const double ns[leavings])
 {
     plot time = plot_new("Acne and leaks, triangles of size 100, against time",
                          "time of hit point and ray [ns]", "the larger of acne and leak [%]",
                          PLOT_LOG_Y);
-    double ns[leavings];
-    leaving_time(DEPART_TRIANGLE, o->seed, ns);
     for (int k = 0; k < leavings; k++) {
         leaving_score s = leaving_play(ways[k], DEPART_TRIANGLE, 100, 0, o->seed,
                                        o->quick ? 300 : 2000);
         plot_add(&time, plot_series(&time, ways[k].name), ns[k], fmax(s.self, s.leak));
     }
     output_plot(o, &time, "18_shade_time.svg");
+}
+
+/* And the plot of larger ones, with the same times. */
+cold_inline void table_of_triangles(const options *o)
+{
+    double ns[leavings];
+    table t = table_of_leaving(o, DEPART_TRIANGLE,
+                               "Leaving a triangle of size 1 at the origin, and T = 1e6 away", ns);
+    output_extra_table(o, &t);
+    plot_of_leaving(o, ns);
 }
 
 #endif
