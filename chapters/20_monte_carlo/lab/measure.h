@@ -117,11 +117,11 @@ static inline void measure_methods(const options *o)
     convergence *c = convergence_measure(o->full ? 6 : 4, o->quick ? 48 : 480, o->seed, o->threads);
     table t = table_new("Root mean square error of two integrals by 1024 samples, its exact "
                         "value, and time",
-                        "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
+                        "method|exact smooth|error smooth|exact edge|error edge|time [us]");
     bench_each(run_estimate, method, sizeof *method, convergence_methods,
                o->full ? 99 : o->quick ? 5 : 31, 1e9 / 1024, ns);
     for (int k = 0; k < convergence_methods; k++) {
-        table_text(&t, "%s", convergence_name(k)), table_count(&t, convergence_n(3));
+        table_text(&t, "%s", convergence_name(k));
         for (int f = 0; f < integrands; f++) {
             number_or_dash(&t, convergence_exact(k, (integrand)f, 3));
             table_number(&t, convergence_rms(c, k, (integrand)f, 3));
