@@ -12,7 +12,8 @@
 . tests/check.sh
 case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
 
-# tables FILE: each line "title<TAB>real<TAB>header<TAB>row<TAB>row..", cells divided by |, timed ones as *
+# tables FILE: each line "title<TAB>real<TAB>header<TAB>row<TAB>row..", cells divided by |, timed ones as *; without
+# those below a line "$ command", which another program prints
 tables() {
     tr -d '\r' <"$1" | awk -v page="${2:-}" '
         function cells(line) { gsub(/^ +| +$/, "", line); gsub(/   */, "|", line); return line }
@@ -27,6 +28,10 @@ tables() {
         function flush() { if (title != "" && body != "") print title "\t" real "\t" body
                            title = ""; body = ""; state = 0 }
         { line = $0; sub(/^    /, "", line) }
+        /^```/ { fence = !fence; other = 0 }
+        line ~ /^\$ / { flush(); other = 1 }
+        !fence && /^[^ ]/ { other = 0 }
+        other { next }
         state == 2 && line ~ /^#|^ *$|^```/ { flush() }
         state == 2 { body = body "\t" mask(cells(line)); next }
         state == 1 && line ~ /^# .*real = / {
@@ -56,10 +61,11 @@ differ() {
 
 # The comparison sees what it is there to see.
 printf '    # A\n    # x; real = double\n    method  error  time [ns]\n    naive     0.5       12\n' >"$scratch/page"
+printf '\n    $ make other\n    # B\n    # x; real = double\n    naive  error\n    1      2\n' >>"$scratch/page"
 printf '# A\n# y; real = double\nmethod  error  time [ns]\nnaive     0.5       99\n\n' >"$scratch/same"
 sed 's/0\.5/0.6/' "$scratch/same" >"$scratch/other"
 sed 's/naive/robust/' "$scratch/same" >"$scratch/row"
-seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" double | cut -f1; done |
+seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" double yes | cut -f1; done |
     tr '\n' ' ')
 if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
 
