@@ -13,13 +13,11 @@ static void measure(const options *o, bool large)
 {
     trial_scene s;
     bvh8_options how = bvh8_defaults;
-    options here = *o;
     int width = o->quick ? 40 : large ? 320 : 160;
-    here.full = large;
     trial_scene_of(teapot_mesh(o->quick ? 6 : large ? 40 : 12), &s);
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh8_trial, &how);
-    table_of_rungs(&here, &s);
+    table_of_rungs(o, &s, large);
     if (large) table_of_shadows(o, &s), table_of_streams(o, &s), table_of_doubts(o, &s);
     else table_of_cracks(o);
     trial_scene_free(&s);
