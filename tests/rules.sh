@@ -175,7 +175,7 @@ cap() {  # cap FOLDER LINES
     if [ "$lines" -le "$2" ]; then ok; else no "$1/ has $lines lines, at most $2 are wanted"; fi
 }
 cap common 1500
-cap common/numbers 1170  # 1000, and eight.h with dialects.h, which were concepts of 15: 170
+cap common/numbers 1170  # 1000, and eight.h with dialects.h, which were concepts of 15: 201
 cap common/lab 1275  # 1200, and t_test.h, which was a concept of 20
 lines=$(cat chapters/15_wide_bvh/[!f]*.h | wc -l)  # all but first.h; eight.h and dialects.h count above
 if [ "$lines" -le 700 ]; then ok; else no "the concept of 15_wide_bvh has $lines lines, at most 700 are wanted"; fi

@@ -11,8 +11,8 @@
  * they take more than cost_warm steps and tests, a quarter will do: after that a grid of 100,000
  * triangles took a quarter longer.) Steps and tests are counted with that quarter. All are asked,
  * or as many as most_work steps and tests allow (of the quarter: cost_few), which 64 of them tell.
- * (First versions count no steps.) Who has taken a second has no further turn, after three. BENCH_ONCE: no
- * turns, the times are those of counting.
+ * (First versions count no steps.) Who has taken a second has no further turn, after three.
+ * BENCH_ONCE: no turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
