@@ -487,6 +487,9 @@ static void test_scene_broken(void)
     put_bytes("nan.pfm", "PF 2 1 -1\n\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xc0\x7f\0\0\0\0\0\0\0\0", 34);
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         refused("x.scene", list[i].text, "x.scene", 2, list[i].where, list[i].allowed);
+    char many[65 * 50 + 1] = "";
+    for (int i = 0; i < 65; i++) strcat(many, "solid red half 0 1 0 1\nsolid red sphere 0 0 0 1\n");
+    refused("x.scene", many, "x.scene", 2, "x.scene:129: solid: one too many without end", "64");
     refused("x.scene", "include no.scene\n", "x.scene", 1, "no.scene: cannot read: No such",
             "/x.scene:1: ");
     refused("x.scene", "\n\nobj no.obj\n", "x.scene", 1, "no.obj: cannot read: No such",

@@ -31,7 +31,25 @@ static affine random_place(void)
     return affine_then(a, affine_translation(in_cube(4)));
 }
 
-/* Shapes, meshes that stand, one of them twice, and others that are moved. */
+/* Of every eleven solids one has no end. */
+static void random_solids(studio *s)
+{
+    for (int i = 0; i < 77; i++) {
+        vec3 p = in_cube(4), n = vunit(in_cube(1));
+        char text[200];
+        failure f;
+        studio_solid x = {.material = (uint32_t)i % 2};
+        if (i % 11 == 5) snprintf(text, sizeof text, "intersection(half %g %g %g 3, half %g %g %g "
+                                  "-2.9)", n.x, n.y, n.z, -n.x, -n.y, -n.z);
+        else snprintf(text, sizeof text, "difference(box %g %g %g %g %g %g, sphere %g %g %g 0.3)",
+                      p.x, p.y, p.z, p.x + 0.5, p.y + 0.5, p.z + 0.5, p.x, p.y, p.z);
+        if (!solid_read(&x, text, &f)) fail(f);
+        studio_grow(s, solid, s->solids);
+        s->solid[s->solids++] = x;
+    }
+}
+
+/* Shapes, meshes that stand, one of them twice, others that are moved, and solids. */
 static void random_studio(studio *s, int kinds)
 {
     const affine one = affine_scaling((vec3){1, 1, 1});
@@ -54,6 +72,7 @@ static void random_studio(studio *s, int kinds)
         if (kinds & 2 && i % 3 == 1) studio_place(s, a, one, red, (cite){0, 0});
         if (kinds & 2 && i == 5) studio_place(s, b, one, 0, (cite){0, 0});
     }
+    if (kinds & 8) random_solids(s);
     if (!studio_finish(s, &f)) abort();
 }
 
@@ -62,14 +81,24 @@ static bool occluded(const studio_tree *t, ray r)
     return studio_tree_occluded_but(t, &r, world_but_none);
 }
 
-/* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the
- * rest. */
+static void brute_solids(const studio *s, size_t from, size_t to, ray *r, bool *found,
+                         studio_hit *out)
+{
+    hit h;
+    for (size_t k = from; k < to; k++)
+        if (csg_hit(&s->solid[k].c, *r, &h) && !(*found && h.t >= r->tmax))
+            *out = (studio_hit){h, no_shape - 1 - (uint32_t)k}, *found = true, r->tmax = h.t;
+}
+
+/* Everything in turn. Equal t: shapes, then solids that have an end, then the first standing place
+ * of each mesh, then other places, then solids without end. */
 static bool brute_hit(const studio *s, ray r, studio_hit *out)
 {
     scene all = studio_shapes(s);
     bool found = false, seen[2] = {false, false}, *stands = allocate(s->places, sizeof *stands);
     hit h;
     if (scene_hit(&all, r, &h)) *out = (studio_hit){h, no_shape}, found = true, r.tmax = h.t;
+    brute_solids(s, 0, s->boxed, &r, &found, out);
     for (uint32_t i = 0; i < s->places; i++) {
         uint32_t m = s->placed[i].mesh;
         stands[i] = studio_stands(s, i) && !seen[m];
@@ -86,17 +115,19 @@ static bool brute_hit(const studio *s, ray r, studio_hit *out)
                 continue;
             *out = (studio_hit){h, i}, found = true, r.tmax = h.t;
         }
+    brute_solids(s, s->boxed, s->solids, &r, &found, out);
     free(stands);
     return found;
 }
 
 static void test_hits(void)
 {
-    for (int kinds = 0; kinds < 8; kinds++) {
+    for (int kinds = 0; kinds < 16; kinds++) {
         studio s;
         studio_tree t;
         failure f;
         random_studio(&s, kinds);
+        check_equal(s.boxed, kinds & 8 ? 70 : 0, "solids that have an end");
         check(studio_tree_build(&s, &t, &f), "%s", f.text);
         size_t wrong = 0, hits = 0, material_wrong = 0, seen = 0, off = 0, away = 0;
         for (size_t i = check_count(4000); i-- > 0;) {
@@ -112,7 +143,9 @@ static void test_hits(void)
             hits++;
             uint32_t m = studio_hit_material(&t, x);
             material_wrong += m != (x.place == no_shape ? s.shape_material[x.h.shape]
-                                                        : s.placing[x.place].material);
+                                    : x.place >= no_shape - s.solids
+                                    ? s.solid[no_shape - 1 - x.place].material
+                                    : s.placing[x.place].material);
             surface a = studio_surface(&t, r, x);
             vec3 p = ray_at(r, x.h.t);
             /* o + t d is off by the rounding of sum and t; both places are some 10 from 0. */
@@ -130,7 +163,8 @@ static void test_hits(void)
         check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
         check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
               hits);
-        check((t.all->n > 0) == (kinds & 1) && t.world.parts == (size_t)((kinds & 1) + (kinds & 2))
+        int parts = (kinds & 1) + (kinds & 2) + (kinds & 8 ? 1 : 0);
+        check((t.all->n > 0) == (kinds & 1) && t.world.parts == (size_t)parts
               && (t.moved.n > 0) == ((kinds & 6) != 0),
               "only trees that hold something: %zu parts", t.world.parts);
         studio_tree_free(&t);

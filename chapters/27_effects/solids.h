@@ -7,7 +7,7 @@
  *
  * p is put back on the surface of the operand that was hit, as surface.h does with shapes. A plane
  * n.p = h, |n| = 1: p - n (n.p - h) is off by 4 eps (|p| + |h|), and (6.4) sees its plane as far
- * off; a cylinder: of |p - axis point| and R. Balls are seen exactly (03). No tree: each is asked.
+ * off; a cylinder: of |p - axis point| and R. Balls are seen exactly (03).
  */
 #ifndef EFFECTS_SOLIDS_H
 #define EFFECTS_SOLIDS_H

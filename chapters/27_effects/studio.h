@@ -2,7 +2,7 @@
  * which file says so.
  *
  *   shape[0 .. shapes-1]       loose shapes of 07, in the world; shape_material[i] goes with each
- *   solid[0 .. solids-1]       solids cut from solids: solids.h
+ *   solid[0 .. solids-1]       solids cut from solids: solids.h; the first `boxed` have an end
  *   mesh[0 .. meshes-1]        triangle meshes of 07, each in a space of its own
  *   placed[0 .. places-1]      instances of 16: a mesh and where it stands; nothing else shows it
  *   material[0 .. materials-1] what MTL, NFF or scene file say; [0] is the default, matte grey
@@ -75,7 +75,7 @@ typedef struct {
     studio_placing *placing;   /* [places] */
     studio_light *light;
     studio_face *emitter;
-    size_t libraries, materials, shapes, solids, corners, meshes, places, lights, emitters;
+    size_t libraries, materials, shapes, solids, boxed, corners, meshes, places, lights, emitters;
     size_t library_room, material_room, shape_room, shape_material_room,
         solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room,
         emitter_room;

@@ -3,7 +3,7 @@
  *   studio_tree t;
  *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
- *                                             meshes that stand before instances before solids
+ *                                             solids before meshes that stand before instances
  *   bool studio_tree_occluded_but(&t, &r, but), studio_tree_hit_but(&t, &r, but, &x)    any; the
  *                                             closest, sooner, and r ends there: but = studio_but(
  *                                             the face that it left, that of the lamp at its end)
@@ -13,7 +13,8 @@
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Trees only where they have something to hold: a world of 18, one part of all shapes, one for
+ * Trees only where they have something to hold: a world of 18, one part of all shapes, one of all
+ * solids that have an end (the others are asked one by one: scene files may have few), one for
  * each mesh that stands as it is in its file; one of two levels (16) for those that were moved, or
  * stand a second time. There what rounding moves on the way and back, the pad of (16.3), is added
  * to `error` and `noise` of a surface.
@@ -33,13 +34,13 @@ typedef struct { hit h; uint32_t place; } studio_hit;
 
 typedef struct {
     const studio *s;
-    scene *all;               /* the shapes */
-    world_part *part;         /* [world.parts] id: its place; no_shape: of shapes */
+    scene *all;               /* the shapes; the solids, as shapes made of: */
+    shape_other *carved;      /* [boxed] */
+    world_part *part;         /* [world.parts] id: its place; no_shape: shapes; s.places: solids */
     trace_world world;        /* these */
     instances moved;          /* numbered as the places are; .n 0: none was */
     mesh *moved_mesh;         /* [meshes + 1] theirs: those of s, or empty */
     placing *pad;             /* [places] of those that were moved */
-    size_t solids;
 } studio_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -48,7 +49,8 @@ static inline void studio_tree_free(studio_tree *t)
 {
     for (size_t k = 0; k < t->world.parts; k++) world_part_free(&t->part[k]);
     instances_free(&t->moved);
-    free(t->all), free(t->part), free(t->pad), free(t->moved_mesh);
+    if (t->all) free((shape *)(uintptr_t)t->all[1].shapes);
+    free(t->all), free(t->carved), free(t->part), free(t->pad), free(t->moved_mesh);
     *t = (studio_tree){.s = NULL};
 }
 
@@ -58,6 +60,24 @@ static inline bool studio_tree_add(studio_tree *t, items x, uint32_t place, fail
     if (!world_part_build(x, MASK_ALL, p, f)) return false;
     p->id = place, t->world.parts++;
     return true;
+}
+
+static inline bool studio_tree_meets(const void *c, ray r, hit *out) { return csg_hit(c, r, out); }
+
+/* Which of a solid's surfaces is hit the tree does not keep: studio_tree_found asks again. */
+static inline bool studio_tree_solids(studio_tree *t, failure *f)
+{
+    const studio *s = t->s;
+    shape *as = allocate(s->boxed, sizeof *as);
+    t->carved = allocate(s->boxed, sizeof *t->carved), t->all[1] = (scene){as, s->boxed};
+    for (size_t k = 0; k < s->boxed; k++) {
+        const csg *c = &s->solid[k].c;
+        csg_bound b = c->node[0].bound;
+        t->carved[k] = (shape_other){studio_tree_meets, NULL, c, b.lo, b.hi};
+        as[k] = shape_of_other(&t->carved[k]);
+    }
+    return !s->boxed
+        || studio_tree_add(t, items_of_scene(&t->all[1]), (uint32_t)s->places, f);
 }
 
 /* Trees only for meshes that are moved: the others get an empty one, from an empty mesh. points: of
@@ -104,11 +124,11 @@ static inline bool studio_tree_places(studio_tree *t, failure *f)
 /* O(n log n). False: more than 2^31 of something. */
 static inline bool studio_tree_build(const studio *s, studio_tree *out, failure *f)
 {
-    *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
-    *out->all = studio_shapes(s);
-    out->world.part = out->part = allocate(s->meshes + 1, sizeof *out->part);
+    *out = (studio_tree){.s = s, .all = allocate(2, sizeof *out->all)};
+    out->all[0] = studio_shapes(s);
+    out->world.part = out->part = allocate(s->meshes + 2, sizeof *out->part);
     bool ok = !s->shapes || studio_tree_add(out, items_of_scene(out->all), no_shape, f);
-    if (ok && studio_tree_places(out, f)) return true;
+    if (ok && studio_tree_solids(out, f) && studio_tree_places(out, f)) return true;
     studio_tree_free(out);
     return false;
 }
@@ -120,6 +140,15 @@ fast_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, st
     if (*found && h.t == r->tmax) return;
     *out = (studio_hit){{h.t, h.u, h.v, h.shape}, place};
     *found = true, r->tmax = h.t;
+}
+
+/* What part `id` of the world has found along r. A call: solids are few. */
+cold_inline studio_hit studio_tree_carved(const studio_tree *t, ray r, hit h)
+{
+    studio_hit x = {h, no_shape - 1 - h.shape};
+    r.tmax = h.t;
+    if (!csg_hit(&t->s->solid[h.shape].c, r, &x.h)) x.h.shape = 0;
+    return x;
 }
 
 /* Neither is met. */
@@ -134,20 +163,23 @@ fast_inline bool studio_tree_hit_but(const studio_tree *t, ray *r, world_but but
     trace_hit stands;
     hit h;
     instance_hit x;
-    if (world_find(&t->world, MASK_ALL, but, r, &stands))
-        studio_tree_keep(stands.h, t->part[stands.part].id, r, &found, out);
+    if (world_find(&t->world, MASK_ALL, but, r, &stands)) {
+        uint32_t id = t->part[stands.part].id;
+        studio_tree_keep(stands.h, id, r, &found, out);
+        if (id == t->s->places) *out = studio_tree_carved(t, *r, stands.h);
+    }
     if (t->moved.n && instances_hit(&t->moved, *r, &x))
         studio_tree_keep(x.h, x.instance, r, &found, out);
-    for (uint32_t k = 0; k < t->solids; k++)
+    for (size_t k = t->s->boxed; k < t->s->solids; k++)
         if (csg_hit(&t->s->solid[k].c, *r, &h))
-            studio_tree_keep(h, no_shape - 1 - k, r, &found, out);
+            studio_tree_keep(h, no_shape - 1 - (uint32_t)k, r, &found, out);
     return found;
 }
 
 fast_inline bool studio_tree_occluded_but(const studio_tree *t, ray *r, world_but but)
 {
     if (world_find(&t->world, MASK_ALL, but, r, NULL)) return true;
-    for (size_t k = 0; k < t->solids; k++)
+    for (size_t k = t->s->boxed; k < t->s->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, *r)) return true;
     return t->moved.n && instances_occluded(&t->moved, *r);
 }
@@ -169,7 +201,7 @@ fast_inline studio_face studio_flat_face(const studio_tree *t, studio_hit x)
 /* NULL: it is none. */
 static inline const studio_solid *studio_hit_solid(const studio_tree *t, studio_hit x)
 {
-    bool is = x.place != no_shape && x.place >= no_shape - t->solids;
+    bool is = x.place != no_shape && x.place >= no_shape - t->s->solids;
     return is ? &t->s->solid[no_shape - 1 - x.place] : NULL;
 }
 

@@ -165,8 +165,10 @@ static inline void touch_note(const touch_asking *q, studio_hit x)
 
 static inline any_hit_answer touch_any(const tracer *t, ray r, trace_hit x, void *payload)
 {
+    const touch_asking *q = payload;
     (void)t, (void)r;
-    touch_note(payload, (studio_hit){x.h, x.part});
+    touch_note(q, x.part == q->t->s->places ? studio_tree_carved(q->t, q->across, x.h)
+                                            : (studio_hit){x.h, x.part});
     return ANY_HIT_IGNORE;
 }
 
@@ -197,9 +199,9 @@ static inline void touch_search(touch_asking *q)
     hit h;
     for (const world_part *p = t->world.part, *end = p + t->world.parts; p < end; p++)
         a.part = p->id, trace_ask(&a, &p->tree);
-    for (uint32_t k = 0; k < t->solids; k++)
+    for (size_t k = t->s->boxed; k < t->s->solids; k++)
         if (csg_hit(&t->s->solid[k].c, q->across, &h))
-            touch_note(q, (studio_hit){h, no_shape - 1 - k});
+            touch_note(q, (studio_hit){h, no_shape - 1 - (uint32_t)k});
     const touch_moved c = {{.x = &t->moved}, q};
     if (t->moved.n)
         tree_search(&t->moved.tree, q->across, instances_box_ray, touch_leaf, &c, false, &h, NULL);

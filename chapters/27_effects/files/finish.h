@@ -146,15 +146,29 @@ static inline bool finish_rough(const studio *s, failure *f)
     return true;
 }
 
+/* Solids that have an end come first, for the tree; of others, which no tree holds, there may be
+ * few. */
+static inline bool finish_solids(studio *s, failure *f)
+{
+    enum { most = 64 };
+    for (size_t k = 0; k < s->solids; k++) {
+        const studio_solid x = s->solid[k];
+        const csg_bound b = x.c.node[0].bound;
+        s->material[x.material].used = true;
+        if (finish_refuses(s, x.material, "solid", true, x.at, f)) return false;
+        if (vlargest(vmax(vabs(b.lo), vabs(b.hi))) <= items_most)
+            s->solid[k] = s->solid[s->boxed], s->solid[s->boxed++] = x;
+        else if (k - s->boxed == most)
+            return failed(f, 2, "%s: solid: one too many without end, allowed: %d in all",
+                          studio_said(s, x.at).text, most);
+    }
+    return true;
+}
+
 static inline bool studio_finish(studio *s, failure *f)
 {
     const vec3 *next = s->corner;
-    if (!finish_rough(s, f)) return false;
-    for (size_t k = 0; k < s->solids; k++) {
-        studio_solid *x = &s->solid[k];
-        s->material[x->material].used = true;
-        if (finish_refuses(s, x->material, "solid", true, x->at, f)) return false;
-    }
+    if (!finish_rough(s, f) || !finish_solids(s, f)) return false;
     for (uint32_t i = 0; i < s->shapes; i++) {
         shape *x = &s->shape[i];
         uint32_t m = s->shape_material[i];

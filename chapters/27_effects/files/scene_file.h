@@ -158,8 +158,6 @@ static inline bool scene_mesh(statement *q)
     return true;
 }
 
-enum { solids_most = 64 };
-
 static inline bool solid_read(studio_solid *x, const char *text, failure *f)
 {
     if (!csg_read(text, &x->e, f)) return false;
@@ -176,9 +174,6 @@ cold_inline bool scene_solid(statement *q)
     failure why;
     if (!scene_word(q, name) || !say_named(q, name, &x.material) || !say_name(q, text))
         return false;
-    if (q->s->solids == solids_most)
-        return failed(q->f, 2, "%s:%u: solid: too many, allowed: %d in all", text_name(q->t),
-                      (unsigned)q->at.line, solids_most);
     if (!solid_read(&x, text, &why))
         return failed(q->f, 2, "%s:%u: solid: %s", text_name(q->t), (unsigned)q->at.line, why.text);
     studio_grow(q->s, solid, q->s->solids);
