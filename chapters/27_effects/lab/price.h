@@ -59,15 +59,15 @@ static inline double price_mean(const image *im)
 }
 
 /* One of the two pictures is with the effect, the other without it. */
-static inline void price_row(table *t, const plan *p, price_run *k, price_run *all, int rounds)
+static inline void price_row(table *t, price_run *k, price_run *all, int rounds)
 {
     price_run *with = k->declined ? k : all, *without = k->declined ? all : k;
     double a = clock_median(with->seconds, rounds), b = clock_median(without->seconds, rounds);
     double mean = price_mean(&with->im), its = mean - price_mean(&without->im);
     bool one = k->effect >= 0;
     k->light = mean > 0 ? its / mean * 100 : 0, k->time = (a - b) / (k->declined ? b : a) * 100;
-    table_text(t, "%s", one ? effect_names[k->effect].name : "the plan");
-    table_text(t, "%s", one ? verdict_names[p->verdict[k->effect]] : "-");
+    table_text(t, "%s%s", one ? effect_names[k->effect].name : "the plan",
+               k->declined ? ", declined" : "");
     table_count(t, with->j.counts.rays[one ? k->effect : RAY_OF_EYE]);
     if (one && mean > 0) table_number(t, k->light);
     else table_text(t, "-");  /* nothing of a black picture is a share */
@@ -126,9 +126,9 @@ static inline bool table_of_price(const options *o, const plan *p, effects_stage
         k->seconds[i / n] = k->j.pass.seconds;
     }
     table t = table_new("The price of each effect: the light it brings, the time it takes",
-                        "effect|verdict|its rays|its light [%]|without it: rmse|its time [%]|"
+                        "effect|its rays|its light [%]|without it: rmse|its time [%]|"
                         "time [us/pixel]");
-    for (int i = 0; i < n && whole; i++) price_row(&t, p, &run[i], &run[0], rounds);
+    for (int i = 0; i < n && whole; i++) price_row(&t, &run[i], &run[0], rounds);
     options beside = *o;  /* the drawing goes to build/, wherever the picture goes */
     beside.out = NULL, beside.own = false;
     if (whole) output_table(o, &t), price_bars(&beside, run, n);

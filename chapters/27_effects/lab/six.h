@@ -85,7 +85,6 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, int
             snprintf(called + strlen(called), sizeof called - strlen(called), "%s%s",
                      *called ? ", " : "", effect_names[i].option);
     table_text(t, "%s", list[k].name);
-    table_text(t, "%s", integrator_of(q.p.effects));
     table_text(t, "%s", called);
     double lean = (double)draw_rays(&j.counts) / draw_pixels(&j);
     double rays = (double)draw_rays(&all.counts) / draw_pixels(&all);
@@ -108,7 +107,7 @@ static inline bool six_draw(const options *o, const six_scene *list, int n, int 
     const char *title[six_count];
     bool whole = true, is_main = first != NULL;
     image sheet = {0, 0, NULL};
-    table t = table_new(name, "scene|plan|called for|rays a pixel|[us/pixel]|everything: rays|"
+    table t = table_new(name, "scene|called for|rays a pixel|[us/pixel]|everything: rays|"
                               "everything [us/pixel]");
     for (int k = 0; k < n; k++) title[k] = list[k].title;
     for (int k = 0; k < n && whole; k++) {
