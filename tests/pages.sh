@@ -142,7 +142,8 @@ if [ "$seen" = "61 9000 0.71 77 1.25 400,000 .598 555 8765 no no twice said " ];
 
 # A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in
 # first.h or first.c, or in the header that its fence names (```c path.h), the numbers of its formulas rising, nothing in them that a renderer would drop, no
-# more words than a sitting takes, and every file that it links to or shows is there.
+# more words than a sitting takes, no table of more than eight rows and six columns (17 has a row a scene), and every file that
+# it links to or shows is there.
 lecture() {  # lecture FOLDER: a line for each fault
     awk -v folder="$1" '
         function slurp(file,   text, line) { text = ""
@@ -155,6 +156,14 @@ lecture() {  # lecture FOLDER: a line for each fault
         function compare() { if (code != "" && kind == "c" && !index(text, code))
                                  print "not in " named ": " substr(code, 1, index(code, "\n") - 1)
                              code = "" }
+        function tall() { if (rows > (folder ~ /17_/ ? 11 : 8)) print "a table of " rows " rows"
+                          table = rows = 0 }
+        /^ *# .*; real = / { table = 1; next }
+        table == 1 { sub(/^ +/, ""); table = 2
+                     if (split($0, cell, /  +/) > 6) print "a table of more than six columns: " $0
+                     next }
+        table && /^( *$|```| *#)/ { tall() }
+        table { rows++ }
         /^```/ { compare()
                  kind = kind == "" ? (/^```c( |$)/ ? "c" : "other") : ""; code = ""
                  if (kind == "c") { named = NF > 1 ? $2 : "first.h"
@@ -173,7 +182,7 @@ lecture() {  # lecture FOLDER: a line for each fault
                  split(number, at, "."); if (at[2] + 0 <= risen) print "numbers do not rise: " number
                  risen = at[2] + 0 }
         { words += NF }
-        END { split("The idea|The formulas|The code|Try it|Exercises|Going on", must, "|")
+        END { tall(); split("The idea|The formulas|The code|Try it|Exercises|Going on", must, "|")
               for (i in must) if (!(must[i] in have)) print "lacks: " must[i]
               if (words > 1200) print words " words: at most 1200 beside code and tables" }' "$1/README.md"
 }
@@ -187,11 +196,13 @@ for page in README.md chapters/README.md chapters/*/*.md; do
     faults=$(links "$page"; grep -q '^## The idea' "$page" && lecture "$(dirname "$page")")
     if [ -z "$faults" ]; then ok; else no "$page: $faults"; fi
 done
-mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n```c first.c\nint x;\n\nint y;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n' \
+mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n```c first.c\nint x;\n\nint y;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n%s%s%s\n' \
+    '    # Linux; real = double' '
+    a  b  c  d  e  f  g' "$(printf '\n    1%.0s' 1 2 3 4 5 6 7 8 9)" \
     >"$scratch/page_of/README.md"
 printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
 seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
-if [ "$seen" -eq 10 ]; then ok; else no "10 planted faults of a page, $seen seen"; fi
+if [ "$seen" -eq 12 ]; then ok; else no "12 planted faults of a page, $seen seen"; fi
 
 # make costs names columns and rows of tables that the pages show: a row by the cells that it begins with.
 named() {  # named FILE: "CHAPTER<TAB>column or row<TAB>TEXT"
