@@ -170,7 +170,7 @@ typedef struct {
     shape shapes[2];
     scene s;
     world_part part;
-    trace_world w;
+    trace_world world;
 } furnace;
 
 static material furnace_material(const void *context, trace_hit x, const surface *s)
@@ -192,7 +192,7 @@ static furnace *furnace_new(vec3 kd, vec3 ks, real shine, const vec3 *wall)
     for (size_t i = 0; i < f->s.n; i++)
         f->shapes[i] = shape_of_polygon(polygon_of(f->corner + 4 * i, 4));
     world_part_of_scene(&f->s, MASK_ALL, &f->part);
-    f->w = (trace_world){&f->part, 1};
+    f->world = (trace_world){&f->part, 1};
     return f;
 }
 
@@ -211,7 +211,7 @@ static void test_sum(void)
     ray r = ray_from((vec3){-sqrt((real)3), 0, 1}, (vec3){sqrt((real)3), 0, -1});
     uint32_t n = (uint32_t)check_count(20000);
     for (int kind = 0; kind < 2; kind++) {
-        distributor d = distributor_of(&f->w, &how);
+        distributor d = distributor_of(&f->world, &how);
         estimate e[3] = {{0}, {0}, {0}};
         for (uint32_t i = 0; i < (kind ? check_count(200) : n); i++) {
             vec3 sum = {0, 0, 0};
@@ -246,7 +246,7 @@ static void test_furnace(void)
         distributed how = {.n = 0, .material_of = furnace_material, .context = f,
                            .background = white, .ambient = white, .reach = real_infinity,
                            .depth = 2};
-        distributor d = distributor_of(&f->w, &how);
+        distributor d = distributor_of(&f->world, &how);
         ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
         size_t off = 0;
         for (uint32_t j = 0; j < 200; j++) {
@@ -270,7 +270,7 @@ static void test_independent(void)
     distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
                        .background = {0, 0, 1}, .ambient = {0, 1, 0}, .reach = real_infinity,
                        .depth = 2};
-    distributor d = distributor_of(&f->w, &how);
+    distributor d = distributor_of(&f->world, &how);
     uint32_t n = (uint32_t)check_count(4000);
     double sum[3] = {0}, product[3][3] = {{0}};
     for (uint32_t i = 0; i < n; i++) {
@@ -314,7 +314,7 @@ static void test_chain(void)
     furnace *f = furnace_new((vec3){0, 0, 0}, (vec3){1, 1, 1}, 1, lid);
     chain c, *at = &c;
     distributed how = {.n = 0, .material_of = chain_material, .context = &at, .depth = 3};
-    distributor d = distributor_of(&f->w, &how);
+    distributor d = distributor_of(&f->world, &how);
     size_t asked = 0, alike = 0;
     for (uint32_t i = 0; i < 500; i++) {
         c.n = 0;
