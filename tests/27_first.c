@@ -37,7 +37,7 @@ enum { EMPTY, BALL, FLOOR_BALL, MIRROR, GLASS, ONLY_LAMP, LAMP_FLOOR, LAMP_WALLS
        LAMP_FLOOR_MIRROR, BALL_SHINES, BOX, scenes };
 static const struct {
     const char *name;
-    bool lamp, light, floor;
+    bool panel, light, floor;
     const first_material *ball;
     bool called[first_effects];  /* shadow rays, mirror rays, glass, points of a lamp, bounces */
 } list[scenes] = {
@@ -59,7 +59,7 @@ static first_scene scene_of(int which)
 {
     first_scene s = sky();
     if (which == BOX) return first_cornell();
-    if (list[which].lamp) add_lamp(&s);
+    if (list[which].panel) add_lamp(&s);
     if (list[which].light) s.light[s.lights++] = (first_light){vec(2, 4, 3), vec(20, 20, 20)};
     if (list[which].floor) add_floor(&s, matte);
     if (list[which].ball) first_add_ball(&s, vec(0, 1, 0), 1, *list[which].ball);
