@@ -36,16 +36,18 @@ static void random_solids(studio *s)
 {
     for (int i = 0; i < 77; i++) {
         vec3 p = in_cube(4), n = vunit(in_cube(1));
+        double x[3] = {(double)p.x, (double)p.y, (double)p.z};
+        double a[3] = {(double)n.x, (double)n.y, (double)n.z};
         char text[200];
         failure f;
-        studio_solid x = {.material = (uint32_t)i % 2};
+        studio_solid one = {.material = (uint32_t)i % 2};
         if (i % 11 == 5) snprintf(text, sizeof text, "intersection(half %g %g %g 3, half %g %g %g "
-                                  "-2.9)", n.x, n.y, n.z, -n.x, -n.y, -n.z);
+                                  "-2.9)", a[0], a[1], a[2], -a[0], -a[1], -a[2]);
         else snprintf(text, sizeof text, "difference(box %g %g %g %g %g %g, sphere %g %g %g 0.3)",
-                      p.x, p.y, p.z, p.x + 0.5, p.y + 0.5, p.z + 0.5, p.x, p.y, p.z);
-        if (!solid_read(&x, text, &f)) fail(f);
+                      x[0], x[1], x[2], x[0] + 0.5, x[1] + 0.5, x[2] + 0.5, x[0], x[1], x[2]);
+        if (!solid_read(&one, text, &f)) fail(f);
         studio_grow(s, solid, s->solids);
-        s->solid[s->solids++] = x;
+        s->solid[s->solids++] = one;
     }
 }
 
