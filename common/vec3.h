@@ -98,7 +98,7 @@ static inline bool square_is_safe(real aa)
     return aa > real_smallest / (real_epsilon * real_epsilon) && aa < real_largest;
 }
 
-fast_inline real vlength(vec3 a)
+static inline real vlength(vec3 a)
 {
     real aa = vdot(a, a);
     int e;
@@ -108,7 +108,7 @@ fast_inline real vlength(vec3 a)
 }
 
 /* Length 1 within 2.25 epsilon. Cost: one square root and one division. */
-fast_inline vec3 vunit(vec3 a)
+static inline vec3 vunit(vec3 a)
 {
     real aa = vdot(a, a);
     if (!square_is_safe(aa)) {  /* rare: written so that a NaN comes here too */
@@ -121,7 +121,7 @@ fast_inline vec3 vunit(vec3 a)
 
 /* s, t, n: orthonormal within 4 epsilon for every unit n, whatever the signs of its zeros.
  * Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017, listing 3. */
-fast_inline void vbasis(vec3 n, vec3 *s, vec3 *t)
+static inline void vbasis(vec3 n, vec3 *s, vec3 *t)
 {
     real sign = copysign((real)1, n.z);
     real a = -1 / (sign + n.z), b = n.x * n.y * a;

@@ -37,7 +37,7 @@ static inline vec3 unit_again(vec3 w) { return vscale(w, (3 - vdot(w, w)) / 2); 
 static inline vec3 reflect(vec3 d, vec3 n) { return unit_again(first_reflect(d, n)); }
 
 /* A hair above the plane, 16 epsilon, so that n.w > 0 whatever rounding makes of it. */
-fast_inline vec3 lifted(vec3 w, vec3 n)
+static inline vec3 lifted(vec3 w, vec3 n)
 {
     real above = vdot(w, n);
     return above < 0 ? vunit(vmadd(w, n, 16 * real_epsilon - above)) : w;
