@@ -993,14 +993,17 @@ static void test_torture(void)
         {2, "--quick --torture @t --score y", {"err", "240 hits: 60 are expected"}},
         {2, "--quick --torture @t --score x --seed 5", {"err", "not the rays of this seed"}},
         {2, "--quick --torture @t --csv @t/inside.rays", {"err", "is a file of --torture"}},
-        {2, "--quick --torture @t --score x --csv @t/start.obj", {"err", "a file of --torture"}}};
+        {2, "--quick --torture @t --score x --csv @t/start.obj", {"err", "a file of --torture"}},
+        {0, "--only bvh,first-mesh --torture @u", {0}},
+        {0, "@u/edges.obj --rays @u/edges.rays --only bvh,first-mesh",
+         {"out", "# first-mesh: wrong at "}}};
     test_dialogue(list, 2);
     check_equal(shell("cd @t && cp inside.rays kept && for f in *.hits; do "
                       "cp $f ${f%.hits}.x.hits; done; cp inside.rays inside.y.hits"), 0, "files");
     test_dialogue(list + 2, 1);
     check_equal(shell("cd @t && { tail -c +9 edges.hits; head -c 8 edges.hits; } >edges.x.hits"),
                 0, "files");  /* of the next ray */
-    test_dialogue(list + 3, 5);
+    test_dialogue(list + 3, 7);
     check(equal_files("t/inside.rays", "t/kept") && printed("t/start.obj", "\nf "), "nothing lost");
 }
 

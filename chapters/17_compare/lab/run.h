@@ -147,6 +147,10 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     for (int k = 0; k < s.entries; k++)
         cost_csv_row(&t, &s, &s.entry[k], file->any ? "any" : "closest", kind);
     output_table(c->o, &t);
+    for (compare_entry *e = s.entry; e < s.entry + s.entries; e++)  /* a first version */
+        if (e->wrong[1])
+            html_note(c->to, "%s: wrong at %zu of %zu of these rays", e->choice->label, e->wrong[1],
+                      e->held[1]);
     const compare_entry *e = compare_any(&s);
     hit *h = allocate(all.n, sizeof *h);
     e->c->search(e->s, all.r, all.n, file->any, h);
