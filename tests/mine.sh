@@ -35,6 +35,7 @@ if [ "${1:-}" != tests ]; then
     shift; [ $# -eq 0 ] || shift
     (cd "$dir" && "./$binary" "$@"); status=$?
     echo "   pictures and plots: $dir/images $dir/build"
+    [ "$number" != 17 ] || echo "   all its hits by brute force: $dir/$binary --verify --only mine"
     exit "$status"
 fi
 
@@ -57,6 +58,7 @@ wrong() {
 
 for n in 03 04 09; do tried 0 'mine: right' "$n" '' --quick; done
 tried 0 'as brute force' 17 '' --verify --scene tetra --only mine --quick
+tried 0 '/17_compare --verify --only mine' 17 '' --scene tetra --only mine --quick
 tried 2 'there are mine-03' 05 ''
 tried 2 'no such file' 04 "$scratch/none.h"
 tried 2 'no such file' 04 "$scratch"
