@@ -404,6 +404,7 @@ static bool forgets_meshes(const plan_facts *q, cite *line)
 }
 
 /* As if the scene had none of these: a part of a rule that was left out. */
+/* NOLINTBEGIN(bugprone-macro-parentheses): a member takes none */
 #define FORGETS(name, rule, part, none)                                      \
     static bool name(const plan_facts *q, cite *line)                        \
     {                                                                        \
@@ -414,6 +415,7 @@ static bool forgets_meshes(const plan_facts *q, cite *line)
         facts.direct_only = plan_direct_only(&facts);                        \
         return rule(&facts, line);                                           \
     }
+/* NOLINTEND(bugprone-macro-parentheses) */
 FORGETS(a_plane_but_for_meshes, rule_one_plane, places, 0)
 FORGETS(a_plane_but_for_solids, rule_one_plane, solids, 0)
 FORGETS(sees_no_shapes, rule_nothing_seen, shapes, 0)

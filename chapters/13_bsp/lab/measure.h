@@ -21,10 +21,10 @@ TRIAL_OTHER(bsp_first_leaf, bsp, bsp, bsp_hit_first)
 TRIAL_FIRST(first_bsp, first_bsp_build(&b->m, &b->s))
 
 /* cost: of a step, in tests; the defaults have 4 and 4.5. */
-#define BSP_COSTING(its_rule, tries, its_sides, axis, slanted)                                  \
-    (&(const bsp_options){.rule = its_rule, .candidates = tries, .sides = its_sides, .leaf = 4, \
-                          .depth = bsp_most_depth, .axis_cost = axis, .slanted_cost = slanted,  \
-                          .seed = 1, .most_bytes = (size_t)1 << 31})
+#define BSP_COSTING(its_rule, tries, its_sides, axis, slanted)                                   \
+    (&(const bsp_options){.rule = (its_rule), .candidates = (tries), .sides = (its_sides),       \
+                          .leaf = 4, .depth = bsp_most_depth, .axis_cost = (axis),               \
+                          .slanted_cost = (slanted), .seed = 1, .most_bytes = (size_t)1 << 31})
 #define BSP_HOW(rule, candidates, sides) BSP_COSTING(rule, candidates, sides, 4, 4.5)
 #define BSP_MANY(sides) BSP_COSTING(BSP_COST, 16, sides, 0.5, 0.5)  /* many planes */
 
