@@ -142,7 +142,9 @@ fast_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, st
     *found = true, r->tmax = h.t;
 }
 
-/* What part `id` of the world has found along r. A call: solids are few. */
+/* A solid that the tree has found along r, at h.t: which of its surfaces is hit there is asked
+ * again, as the tree knows it as one thing. The interval is closed: there is one. A call, since
+ * solids are few. */
 cold_inline studio_hit studio_tree_carved(const studio_tree *t, ray r, hit h)
 {
     studio_hit x = {h, no_shape - 1 - h.shape};
