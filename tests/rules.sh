@@ -17,7 +17,7 @@ includes() {
 #   common/       the C library and common/ itself; common/numbers/ and common/lab/ also common/, lab/ all three
 #   concept       what lies in a chapter but not in its lab/: no lab/ at all, its own, another's or common/lab/,
 #                 and no trials/. Free of this: main.c, and trials/, where chapters measure what others share
-#   11 to 14      no concept of 10: they cut space, or boxes, without a grid
+#   11 to 14      no concept of 10, as they cut space, or boxes, without a grid; but 11 its mailbox
 #   lab/, main.c  its own chapter's lab/, no other's
 #   everybody     chapters of lower numbers; no main.c
 violations() {
@@ -41,7 +41,8 @@ violations() {
         wrong == "" && from != "" && !judge {
             if (lab) wrong = "is a concept and includes a laboratory"
             else if ($2 ~ /^chapters\/[^\/]*\/trials\//) wrong = "is a concept and includes trials"
-            else if (from ~ /^1[1-4]$/ && to == "10") wrong = "builds on the grid"
+            else if (from ~ /^1[1-4]$/ && to == "10" && !(from == "11" && $2 ~ /\/mailbox\.h$/))
+                wrong = "builds on the grid"
         }
         wrong != "" { print $1 " " wrong ": " $2 }'
     # A macro could hide what is included. Two may: a reader's own file (make mine-NN), and that of the dialects (15).
@@ -58,7 +59,7 @@ fi
 broken=$(violations .)
 if [ -z "$broken" ]; then ok; else no "$broken"; fi
 
-# The rule sees what it is there to see: who includes what, 15 times wrong and 9 times right.
+# The rule sees what it is there to see: who includes what, 16 times wrong and 10 times right.
 plant() {  # plant FILE INCLUDED...
     mkdir -p "$scratch/tree/$(dirname "$1")"
     file=$1; shift
@@ -78,9 +79,11 @@ plant chapters/02_b/c.h ../01_a/trials/t.h
 plant chapters/01_a/d.h trials/t.h
 plant chapters/11_c/c.h ../10_d/d.h
 plant chapters/11_c/lab/l.h ../../10_d/d.h
+plant chapters/11_c/f.h ../10_d/mailbox.h
+plant chapters/12_e/e.h ../10_d/mailbox.h
 printf '#define EIGHT_FILE "../../chapters/11_c/lab/l.h"\n#include EIGHT_FILE\n' >"$scratch/tree/chapters/11_c/e.h"
 seen=$(violations "$scratch/tree" | wc -l)
-if [ "$seen" -eq 15 ]; then ok; else no "15 broken includes were planted, $seen were found"; fi
+if [ "$seen" -eq 16 ]; then ok; else no "16 broken includes were planted, $seen were found"; fi
 
 # reached DIR FILE: what FILE includes, and what that includes, and so on
 reached() {

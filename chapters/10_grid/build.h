@@ -6,7 +6,7 @@
 #ifndef GRID_BUILD_H
 #define GRID_BUILD_H
 
-#include "../09_aabb/mailbox.h"
+#include "mailbox.h"
 #include "marking.h"
 
 typedef struct {

@@ -27,8 +27,8 @@
 #define OCTREE_BUILD_H
 
 #include "../09_aabb/items.h"
-#include "../09_aabb/mailbox.h"
 #include "../09_aabb/overlap.h"
+#include "../10_grid/mailbox.h"
 
 enum { octree_most_depth = 20, octree_cut_cost = 4 };
 

@@ -12,13 +12,13 @@
  *                                                *end; true if one was closer than the best so far
  *                                                (any: was hit). on: false asks all of them
  *
- * Sources: Amanatides, Woo 1987 (see 10: walk.h), section 3; C. Benthin, "Realtime Ray Tracing on
+ * Sources: Amanatides, Woo 1987 (see walk.h), section 3; C. Benthin, "Realtime Ray Tracing on
  * Current CPU Architectures", PhD thesis, Saarland University, 2006 (a hashed table of one ray).
  */
-#ifndef AABB_MAILBOX_H
-#define AABB_MAILBOX_H
+#ifndef GRID_MAILBOX_H
+#define GRID_MAILBOX_H
 
-#include "items.h"
+#include "../09_aabb/items.h"
 
 enum { mailbox_places = 16 };
 typedef struct { uint32_t item[mailbox_places]; } mailbox;
