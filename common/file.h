@@ -93,29 +93,28 @@ static inline _Noreturn void fail(failure f)
 
 static char file_last[256];  /* the last file that was opened to be read */
 
-/* count * size bytes, all zero, for free(); or the end of the program. Never NULL. */
-static inline void *allocate(size_t count, size_t size)
+/* count * size bytes, all zero, for free(); or the end of the program, which says what they were
+ * for: a file, or the function that calls. Never NULL. */
+static inline void *allocate_for(const char *what, size_t count, size_t size)
 {
     void *p = calloc(count ? count : 1, size ? size : 1);  /* calloc sees an overflow itself */
-    if (!p) die(1, "no memory for %zu times %zu bytes%s%s", count, size,
-                *file_last ? ", last read: " : "", file_last);
+    if (!p) die(1, "%.300s: no memory for %zu times %zu bytes", what, count, size);
     return p;
 }
+#define allocate(count, size) allocate_for(__func__, count, size)
 
 /* An array of n items with room for `more`, the rest zero: p, or a copy of twice the size. */
-static inline void *grown_by(void *p, size_t n, size_t more, size_t *room, size_t size)
+static inline void *grown_for(const char *what, void *p, size_t n, size_t more, size_t *room,
+                              size_t size)
 {
     if (n + more <= *room) return p;
-    void *copy = allocate(*room = 2 * *room + more + 63, size);
+    void *copy = allocate_for(what, *room = 2 * *room + more + 63, size);
     if (p) memcpy(copy, p, n * size);
     free(p);
     return copy;
 }
-
-static inline void *grown(void *p, size_t n, size_t *room, size_t size)
-{
-    return grown_by(p, n, 1, room, size);
-}
+#define grown_by(p, n, more, room, size) grown_for(__func__, p, n, more, room, size)
+#define grown(p, n, room, size) grown_for(__func__, p, n, 1, room, size)
 
 /* The files that this run has read. */
 enum { file_most_read = 256 };
@@ -250,7 +249,7 @@ static inline char *file_read(const char *path, size_t *size, failure *f)
     size_t room = 0, n = 0, got = 1, most = in ? file_most(in) : 0;
     char *text = NULL;
     while (in && got > 0 && n <= most) {  /* a pipe does not tell its size */
-        text = grown(text, n + 1, &room, 1);
+        text = grown_for(path, text, n, 2, &room, 1);
         n += got = fread(text + n, 1, room - 1 - n, in);
     }
     bool ok = in && n <= most && !ferror(in);

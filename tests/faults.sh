@@ -1,7 +1,8 @@
 #!/bin/sh
-# What fails, fails well: an allocation, any one of them; a file that may not grow, at any byte; a closed
-# standard output; Ctrl-C and SIGTERM at any moment. Always: a message that names the program, exit 1 (after
-# a signal 128 + its number), the old picture as it was or the new one whole, and no .part file left behind.
+# What fails, fails well: an allocation, any one of them; a picture larger than memory; a file that may not
+# grow, at any byte; a closed standard output; Ctrl-C and SIGTERM at any moment. Always: a message that names
+# the program, exit 1 (after a signal 128 + its number), the old picture as it was or the new one whole, and no
+# .part file left behind.
 #   FAULTS=60 SEED=2 BUILD=build sh tests/faults.sh
 # FAULTS of each kind a program (2, then of two programs only); SEED: which; ONLY: programs. Allocations: where
 # there is LD_PRELOAD and glibc.
@@ -94,6 +95,14 @@ for name in ${ONLY:-$programs}; do
             [ $status -eq 0 ] || says "allocation $at of $n" "memory"  # the C library may do without
             survives "allocation $at of $n"
         done
+    fi
+
+    # A picture that does not fit is not the fault of the model that was read before.
+    if [ -n "$shim" ] && [ "$name" != 17_compare ]; then  # which draws no model into --out
+        (ulimit -v 2000000 && "$program" "$root/chapters/07_mesh/scenes/teapot.obj" --size 16384x16384 \
+            --threads 2 --out x.png) >/dev/null 2>err
+        status=$?
+        says "16384 x 16384 pixels in 2 GB" "\(image\|film\)_new: no memory"
     fi
 
     size=$(wc -c <whole.png)

@@ -235,10 +235,43 @@ static void too_much(void *context)
     free(p);
 }
 
+/* An array of so many bytes for a file; without one, for the function that asks. */
+static void too_much_for(void *file)
+{
+    size_t room = SIZE_MAX / 8;
+    char *volatile p = file ? grown_for(file, NULL, room, 1, &room, 1 << 20)
+                            : grown(NULL, room, &room, 1 << 20);
+    free(p);
+}
+
+static void read_too_much(void *path)
+{
+    size_t n;
+    struct rlimit memory = {(rlim_t)1 << 26, (rlim_t)1 << 26};
+    if (setrlimit(RLIMIT_AS, &memory) != 0) exit(77);
+    free(file_read(path, &n, NULL));
+}
+
+/* The message names what did not fit, not a file that was read before. */
+static void test_memory_for_what(void)
+{
+    char path[2048];
+    snprintf(path, sizeof path, "%s", in_dir("sparse"));
+    check(put(path, "", NULL) && truncate(path, (off_t)1 << 27) == 0, "128 MB of nothing");
+    child_result r = child_run(too_much_for, NULL);
+    check(r.status == 1 && strstr(r.err, ": too_much_for: no memory for"), "a function: %s", r.err);
+    r = child_run(too_much_for, path);
+    check(r.status == 1 && strstr(r.err, "sparse: no memory for"), "a file: %s", r.err);
+    if (getenv("CHECK_DIVISOR")) return;  /* a sanitizer needs more */
+    r = child_run(read_too_much, path);
+    check(r.status == 1 && strstr(r.err, "sparse: no memory for"), "file_read: %s", r.err);
+}
+
 static void test_memory(void)
 {
     child_result r = child_run(too_much, NULL);
-    check(r.status == 1 && strstr(r.err, "no memory for"), "an overflow is no memory: %s", r.err);
+    check(r.status == 1 && strstr(r.err, ": too_much: no memory for"),
+          "an overflow is no memory: %s", r.err);
     size_t room = 0, sum = 0;
     int *p = NULL;
     for (size_t n = 0; n < 1000; n++) p = grown(p, n, &room, sizeof *p), p[n] = (int)n;
@@ -341,6 +374,7 @@ int main(void)
     test_two_writers();
     test_read_large();
     test_memory();
+    test_memory_for_what();
     test_read_files_stay();
     test_endless();
     test_signals();

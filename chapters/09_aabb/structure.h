@@ -125,8 +125,7 @@ static inline bool memory_failed(failure *f, const char *what, size_t n, size_t 
 {
     char within[64] = "";
     if (most < SIZE_MAX / 4) snprintf(within, sizeof within, ", %zu bytes allowed", most);
-    return failed(f, 1, "%s: no memory for %zu items%s%s%s", what, n, within,
-                  *file_last ? ", last read: " : "", file_last);
+    return failed(f, 1, "%s: no memory for %zu items%s", what, n, within);
 }
 
 static inline void memory_drop(memory *m, void *p, size_t room, size_t size)

@@ -146,8 +146,8 @@ static inline bool nff_read_corners(nff_reader *r, bool normals)
     if ((real)x->corners != count)
         return text_bad(&r->t, r->t.p, "not a whole number before", "3 or more");
     for (size_t i = 0; i < x->corners; i++) {
-        x->corner = grown(x->corner, i, &r->corner_room, sizeof *x->corner);
-        x->normal = grown(x->normal, i, &r->normal_room, sizeof *x->normal);
+        x->corner = grown_for(r->t.name, x->corner, i, 1, &r->corner_room, sizeof *x->corner);
+        x->normal = grown_for(r->t.name, x->normal, i, 1, &r->normal_room, sizeof *x->normal);
         x->normal[i] = (vec3){0, 0, 0};
         if (!nff_point(r, &x->corner[i]) || (normals && !nff_point(r, &x->normal[i]))) return false;
     }

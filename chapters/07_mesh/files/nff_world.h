@@ -25,7 +25,7 @@ typedef struct {
 static inline void nff_world_shape(nff_world_rooms *r, shape s)
 {
     world *w = r->w;
-    w->shape = grown(w->shape, w->n, &r->shape_room, sizeof *w->shape);
+    w->shape = grown_for(w->name, w->shape, w->n, 1, &r->shape_room, sizeof *w->shape);
     w->shape[w->n++] = s;
 }
 
@@ -36,7 +36,7 @@ static inline void nff_world_polygon(nff_world_rooms *r, const vec3 *p, size_t n
     if (n == 3) nff_world_shape(r, shape_of_triangle((triangle){p[0], p[1], p[2]}));
     else nff_world_shape(r, (shape){.kind = SHAPE_POLYGON, .polygon = {.n = (uint32_t)n}});
     for (size_t k = 0; n > 3 && k < n; k++) {
-        w->corner = grown(w->corner, w->corners, &r->corner_room, sizeof *p);
+        w->corner = grown_for(w->name, w->corner, w->corners, 1, &r->corner_room, sizeof *p);
         w->corner[w->corners++] = p[k];
     }
 }
@@ -53,7 +53,7 @@ static inline bool nff_world_item(nff_world_rooms *r, const nff_item *x, failure
     case NFF_BACKGROUND: return w->background = x->background, true;
     case NFF_LIGHT: return w->lights == world_most_lights || (world_light(w, x->light.at), true);
     case NFF_FILL:
-        w->group = grown(w->group, w->groups, &r->group_room, sizeof *w->group);
+        w->group = grown_for(w->name, w->group, w->groups, 1, &r->group_room, sizeof *w->group);
         world_paint(w, (finish){m->colour, m->kd, m->ks, m->shine, m->transmit, m->ior});
         return true;
     case NFF_SPHERE: return nff_world_shape(r, shape_of_sphere(x->sphere)), true;
