@@ -19,7 +19,7 @@ typedef struct {
     instances x;                 /* or, flattened: */
     mesh m;
     bvh8 b;
-    double megabytes;            /* without normals */
+    double bytes;                /* without normals */
     ray_set eye;                 /* to be timed with */
     double entered;              /* of these: instances looked into a ray */
 } instances_method;
@@ -37,7 +37,7 @@ static inline void method_build(instances_method *m, const crowd *c)
                 : !instances_build(c, how, &m->x, &f)) fail(f);
     size_t bytes = mesh_bytes(&m->m) + m->b.room.bytes + m->x.bytes;
     for (size_t k = 0; k < m->x.meshes; k++) bytes += mesh_bytes(&c->mesh[k]);
-    m->megabytes = (double)bytes * 0x1p-20;
+    m->bytes = (double)bytes;
 }
 
 static inline void method_free(instances_method *m)
@@ -140,15 +140,16 @@ static inline void table_of_methods(const options *o)
     methods_wrong(m, n, (vec3){4e7, 4e7, 0}, corners, o->seed, far);  /* once round the earth [m] */
     for (int i = 0; i < n; i++) method_build(&m[i], &c);
     methods_time(m, n, eye, o, ns);
+    double triangles = flattened_triangles(&m[1].x);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
-             "answers of %zu at corners", c.n, flattened_triangles(&m[1].x), eye.n, corners);
-    table out = table_new(title, "method|memory [MB]|instances a ray|error near|error far|"
+             "answers of %zu at corners", c.n, triangles, eye.n, corners);
+    table out = table_new(title, "method|bytes a shape|instances a ray|error near|error far|"
                                  "time eye [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
                       "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
-        table_text(&out, "%s", m[i].name), table_number(&out, m[i].megabytes);
+        table_text(&out, "%s", m[i].name), table_number(&out, m[i].bytes / triangles);
         table_number(&out, m[i].entered), table_count(&out, near[i]);
         table_count(&out, far[i]), table_number(&out, ns[i]);
         plot_add(&p, plot_series(&p, m[i].name), ns[i], (double)far[i]);
@@ -162,7 +163,7 @@ static inline void table_of_methods(const options *o)
 /* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
 static inline void table_of_growth(const options *o)
 {
-    double mb_a_triangle = 0;
+    double of_a_triangle = 0, mb = 0x1p-20;
     ray_set eye = eye_rays(o);
     table out = table_new("Growth with the number of instances; flattened: built up to 100",
                           "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
@@ -177,8 +178,8 @@ static inline void table_of_growth(const options *o)
         method_build(&two, &c);
         double built = clock_seconds() - start, triangles = flattened_triangles(&two.x);
         methods_time(&two, 1, eye, o, &ns);
-        if (n <= 100) method_build(&flat, &c), mb_a_triangle = flat.megabytes / triangles;
-        const double cell[] = {triangles, two.megabytes, mb_a_triangle * triangles, built * 1e3,
+        if (n <= 100) method_build(&flat, &c), of_a_triangle = flat.bytes / triangles;
+        const double cell[] = {triangles, two.bytes * mb, of_a_triangle * triangles * mb, built * 1e3,
                                two.entered, ns};
         table_count(&out, n);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
