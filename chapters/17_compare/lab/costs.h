@@ -10,8 +10,9 @@
  * A turn: all its rays, untimed, so that what they need is in the cache again, then timed. (Where
  * they take more than cost_warm steps and tests, a quarter will do: after that a grid of 100,000
  * triangles took a quarter longer.) Steps and tests are counted with that quarter. All are asked,
- * or as many as most_work steps and tests allow (of the quarter: cost_few), which 64 of them tell.
- * (First versions count no steps.) Who has taken a second has no further turn, after three.
+ * or as many as most_work steps and tests allow (of the quarter: cost_few; of who asks every shape:
+ * cost_brute), which 64 of them tell. (First versions count no steps.) Who has taken a second has
+ * no further turn, after three.
  * BENCH_ONCE: no turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
@@ -36,7 +37,8 @@ static inline void cost_cell(table *t, bool known, double x)
 }
 
 enum { cost_most_turns = 9, cost_sample = 64 };
-static const double cost_full = 4e7, cost_few = 2e6, cost_warm = 1e7;  /* steps and tests */
+/* Steps and tests: all rays of a kind; of who asks every shape; of a quick look; to warm up. */
+static const double cost_full = 4e8, cost_brute = 4e7, cost_few = 2e6, cost_warm = 1e7;
 
 /* Of one structure: its rays, the quarter, what warms it, and the seconds of its turns. */
 typedef struct {
@@ -62,6 +64,13 @@ static inline ray_set cost_rays(const ray_set *all, size_t n, double work, doubl
     return rays_some(all, work < each * (double)n ? (size_t)(work / each) + 1 : n);
 }
 
+/* Who asks every shape reads them in order, and is as quick after few rays. */
+static inline double cost_most(const compare_entry *e, double most_work)
+{
+    bool every = e->c == &brute_contender || e->c == &first_mesh_contender;
+    return every && most_work > cost_brute ? cost_brute : most_work;
+}
+
 static inline cost_turns cost_begin(compare_entry *e, compare_kind kind, const ray_set *rays,
                                     double most_work)
 {
@@ -69,7 +78,7 @@ static inline cost_turns cost_begin(compare_entry *e, compare_kind kind, const r
     ray_set some = rays_some(rays, cost_sample);
     cost_count(e, kind, &some);
     double each = per((double)(e->work[kind].nodes + e->work[kind].tests), some.n);
-    t.all = cost_rays(rays, rays->n, most_work, each);
+    t.all = cost_rays(rays, rays->n, cost_most(e, most_work), each);
     t.quarter = cost_rays(&t.all, t.all.n / 4 + 1, cost_few, each);
     t.warm_by_all = each * (double)t.all.n <= cost_warm;
     t.seconds[0] = cost_count(e, kind, &t.quarter);
@@ -207,7 +216,7 @@ static inline void cost_print_wrong(const compare_entry *e, html_report *to)
               e->choice->label, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
 }
 
-/* Whom most_work gave fewer rays than the scene has of a kind, and the fewest of theirs. */
+/* Who was asked fewer rays than the scene has of a kind, and the fewest of theirs. */
 static inline void cost_say_fewer(const comparison *s, html_report *to)
 {
     char text[4096] = "";
@@ -218,7 +227,7 @@ static inline void cost_say_fewer(const comparison *s, html_report *to)
         if (least < SIZE_MAX)
             text_add(text, sizeof text, "%s %s %zu", *text ? "," : "", e->choice->label, least);
     }
-    if (*text) html_note(to, "fewer rays of a kind, at %.0g steps and tests:%s", cost_full, text);
+    if (*text) html_note(to, "fewer rays of a kind:%s", text);
 }
 
 static inline void cost_table(const comparison *s, html_report *to)
