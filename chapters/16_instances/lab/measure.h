@@ -163,7 +163,7 @@ static inline void table_of_methods(const options *o)
 /* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
 static inline void table_of_growth(const options *o)
 {
-    double of_a_triangle = 0, mb = 0x1p-20;
+    double a_triangle = 0, mb = 0x1p-20;
     ray_set eye = eye_rays(o);
     table out = table_new("Growth with the number of instances; flattened: built up to 100",
                           "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
@@ -178,8 +178,8 @@ static inline void table_of_growth(const options *o)
         method_build(&two, &c);
         double built = clock_seconds() - start, triangles = flattened_triangles(&two.x);
         methods_time(&two, 1, eye, o, &ns);
-        if (n <= 100) method_build(&flat, &c), of_a_triangle = flat.bytes / triangles;
-        const double cell[] = {triangles, two.bytes * mb, of_a_triangle * triangles * mb, built * 1e3,
+        if (n <= 100) method_build(&flat, &c), a_triangle = flat.bytes / triangles;
+        const double cell[] = {triangles, two.bytes * mb, a_triangle * triangles * mb, built * 1e3,
                                two.entered, ns};
         table_count(&out, n);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
