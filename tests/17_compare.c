@@ -398,6 +398,7 @@ static void test_shrunk_box(const char *name)
           "%s: broken, and found out", name);
     fclose(out);
     check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
+    check(strstr(text, "it is not listed where it is hit"), "%s: outside its box: %s", name, text);
     check(strstr(text, "alone, it is right here"), "%s: only this tree is broken: %s", name, text);
     free(text);
     contender_free(e.c, e.s);
@@ -473,7 +474,8 @@ static void test_lost_way(patient *p, bool any)
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
     check_close(begins, (double)p->due.t - 3, 16 * (double)real_epsilon,
                 "%s: lost from more than 3 away: %s", right.name, text);
-    check(strstr(text, " itself: x "), "%s: where the shape is: %s", right.name, text);
+    check(strstr(text, " itself") && strstr(text, "box that lists it: x ")
+          && !strstr(text, "not listed"), "%s: it is where it should be: %s", right.name, text);
     snprintf(answer, sizeof answer, "built of shape %u alone, it is just as wrong", p->due.shape);
     check(strstr(text, answer), "%s: that shape is enough: %s", right.name, text);
     free(text);

@@ -3,7 +3,8 @@
  *     make mine-17 MINE=my.h
  *     build/mine-17/17_compare --verify --only mine     that alone, all rays by brute force
  * It must be called mine, with mine_options, and needs no #include: items and query are those of
- * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. */
+ * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. mine_cell_of helps to
+ * explain a lost hit; without one write: #define mine_cell_of NULL */
 
 typedef struct { size_t most_bytes; } mine_options;
 typedef struct { items x; aabb all, *box; structure_stats stats; } mine;
@@ -36,6 +37,12 @@ static inline bool mine_search(const mine *m, ray r, bool any, hit *out, search_
         if (query_ask(&q, &m->x, (uint32_t)i, any) && any) return true;
     }
     return !any && query_answer(&q, out);
+}
+
+/* The box that lists the item; were there several, the nearest to p (lab/cells.h). */
+static inline item_cell mine_cell_of(const mine *m, uint32_t item, vec3 p)
+{
+    return item_cell_at(m->box[item], p);
 }
 
 static inline structure_stats mine_stats(const mine *m) { return m->stats; }

@@ -1,6 +1,6 @@
 /* contenders.h: the structures that are compared. A new one, with X_search and the verbs that
- * 09_aabb/structure.h makes of it, is one #include and one line of the list below; example.h is a
- * whole one, to begin with.
+ * 09_aabb/structure.h makes of it, is one #include and one line of the list below, and X_cell_of of
+ * cells.h, or `#define X_cell_of NULL`; example.h is a whole one, to begin with.
  *
  *   LINE(id, "name", X, options, role)     id of its own; name for tables and --only; X is the type
  *                                          and the prefix of its verbs; X_options have a member
@@ -14,18 +14,15 @@
  *                                    hit; any: hits[i] has t = 0, shape 0 where occluded. The verbs
  *                                    call it with one ray: what is proved is what is timed
  *   c->counted(s, r, any, &h, &w)    is there a hit? What it took is added to w
+ *   c->cell(s, item, p, &cell)       the box or cell nearest to p of those that list the item, by
+ *                                    X_cell_of (cells.h); false: that is NULL
  *   contender_free(c, s)
  */
 #ifndef COMPARE_CONTENDERS_H
 #define COMPARE_CONTENDERS_H
 
-#include "../../14_bvh/bvh.h"
-#include "../../15_wide_bvh/bvh8.h"
-#include "../../10_grid/nested.h"
-#include "../../11_octree/octree.h"
-#include "../../12_kdtree/kdtree.h"
-#include "../../13_bsp/bsp.h"
 #include "../example.h"
+#include "cells.h"
 #include "oracles.h"
 
 /* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */
@@ -86,6 +83,7 @@ typedef struct {
     bool (*counted)(const void *s, ray r, bool any, hit *out, search_work *w);
     size_t (*search)(const void *s, const ray *r, size_t n, bool any, hit *out);
     structure_stats (*stats)(const void *s);
+    bool (*cell)(const void *s, uint32_t item, vec3 p, item_cell *out);
     void (*free)(void *s);
 } contender;
 
@@ -129,7 +127,8 @@ static inline void contender_set(void *members, const contender_settings *how)
         return X##_build(x, how, out, f);                                                       \
     }                                                                                           \
     static const contender id##_contender = {text, #X, its_role, sizeof(X), id##_c_build,       \
-        X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_free};
+        X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_cell,        \
+        X##_c_free};
 /* The verbs of X, and the first who uses them. */
 #define CONTENDER_LINE(id, text, X, options, its_role)                                          \
     __attribute__((noinline))                                                                   \
@@ -157,6 +156,11 @@ static inline void contender_set(void *members, const contender_settings *how)
         return X##_search(s, r, any, out, w);                                                   \
     }                                                                                           \
     static structure_stats X##_c_stats(const void *s) { return X##_stats(s); }                  \
+    static bool X##_c_cell(const void *s, uint32_t item, vec3 p, item_cell *out)                \
+    {                                                                                           \
+        item_cell (*cell_of)(const X *, uint32_t, vec3) = X##_cell_of;                          \
+        return cell_of && (*out = cell_of(s, item, p), true);                                   \
+    }                                                                                           \
     static void X##_c_free(void *s) { X##_free(s); }                                            \
     CONTENDER_ALSO(id, text, X, options, its_role)
 CONTENDERS(CONTENDER_LINE, CONTENDER_ALSO)

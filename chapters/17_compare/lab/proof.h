@@ -1,5 +1,6 @@
 /* proof.h: is what a structure answers what brute force answers: the very hit, t, u, v and shape,
- * and the same "occluded"? If not, why? Of a structure nothing is known here but its verbs.
+ * and the same "occluded"? If not, why? Of a structure nothing is known here but its verbs, and in
+ * which of its boxes or cells a shape is listed (cells.h).
  *
  *   bool prove_ray(c, s, r, due, &w)      due: brute force's hit, or hit_none. False: w says where
  *   bool prove_closed(c, s, r, due, aimed_ways, &w)   the same, and again on [tmin, t] and [t, t],
@@ -10,8 +11,9 @@
  *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
  *          |---------[---------x-]-----|     until it is found, and finds by halving where the
  *                    a           b           interval must begin and end to lose it;
- *        how far the point of the hit lies outside the shape's own box: boxes no wider than that
- *        lose it;
+ *        is the point of the hit in the shape's own box, and in the nearest of those that list the
+ *        shape? A little outside: rounding, for which boxes must be wider. Farther off: the shape
+ *        is not listed where it is hit. Inside, and yet not found: the search does not come there;
  *        is it as wrong if built of that shape alone? Such a structure is small enough to follow.
  *
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
@@ -96,44 +98,78 @@ static inline void explain_end(const wrong_answer *w, real end, const char *whic
             (double)p.y, (double)p.z);
 }
 
-static inline void explain_window(const wrong_answer *w, FILE *out)
+/* How much longer than [t, t] the interval must be: 0 if it is found there; infinity if no length
+ * helps. */
+static inline real explain_window(const wrong_answer *w, FILE *out)
 {
     real t = w->due.t;
-    if (w->due.shape == no_shape) {
-        fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
-        return;
-    }
     if (!w->any && w->got.shape != no_shape && w->got.t <= t)
         fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
                                   : "  at the same t: there the lower index must win\n");
     if (!window_finds(w, t, t)) {
         real wider = window_wider(w);
-        fprintf(out, wider > 0 ? "  not found on the interval [t, t], but on one that reaches %.2g "
-                "farther both ways: a comparison with its end is strict, or something is rounded\n"
-                : "  not found on the interval [t, t] either: the place of the hit is not "
-                "searched, or the shape is not listed there\n", (double)wider);
-        return;
+        if (wider > 0)
+            fprintf(out, "  not found on the interval [t, t], but on one that reaches %.2g farther "
+                    "both ways: a comparison with its end is strict, or something is rounded\n",
+                    (double)wider);
+        else fprintf(out, "  not found on the interval [t, t] either\n");
+        return wider > 0 ? wider : real_infinity;
     }
-    fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
-                 "the way there is lost\n");
+    fprintf(out, "  found on the interval [t, t] alone: the way there is lost\n");
     explain_end(w, w->r.tmin, "begins", out);
     explain_end(w, w->r.tmax, "ends", out);
     if (window_finds(w, w->r.tmin, t))
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
+    return 0;
 }
 
-/* The shape's own box holds the point, but for rounding; how far that is off, along an axis. */
-static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
+static inline void print_place(FILE *out, item_cell c, const char *verdict)
+{
+    fprintf(out, "x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the hit is ", (double)c.box.lo.x,
+            (double)c.box.hi.x, (double)c.box.lo.y, (double)c.box.hi.y, (double)c.box.lo.z,
+            (double)c.box.hi.z);
+    if (c.outside > 0) fprintf(out, "%.3g outside%s\n", (double)c.outside, verdict);
+    else fprintf(out, "%s%s\n", c.outside < 0 ? "inside" : "on its border", verdict);
+}
+
+/* What the nearest box or cell that lists the shape tells; known: there is one. p: the point of the
+ * hit; wider: see explain_window. A search pays for twice query_delta at most (13.3). */
+static inline const char *verdict_of(const wrong_answer *w, const items *x, item_cell c, bool known,
+                                     vec3 p, real wider)
+{
+    aabb all;
+    failure f;
+    if (!items_all_bounds(x, &all, &f) || c.outside > 2 * query_delta(w->r, all))
+        return aabb_contains(c.box, p) ? ", beyond a slanted wall: it is not listed where it is hit"
+                                       : ": it is not listed where it is hit";
+    if (wider == 0) return "";
+    if (c.outside > 0) return ": the box must be wider than that";
+    if (wider == real_infinity)
+        return known ? ": listed there, but the search does not come there"
+                     : ": not listed there, or the search does not come there";
+    return c.outside < 0 ? "" : ": there a rounding loses it, if the box is no wider than that";
+}
+
+/* The shape's own box, and what lists it: once if they are the same. */
+static inline void explain_shape(const items *x, const wrong_answer *w, real wider, FILE *out)
 {
     aabb b;
-    if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
-    vec3 p = ray_at(w->r, w->due.t), off = vmax(vsub(b.lo, p), vsub(p, b.hi));
-    real far = real_max(off.x, real_max(off.y, off.z));
-    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
-                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
-            (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
-    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
-    else fprintf(out, "inside\n");
+    item_cell c = item_cell_none;
+    uint32_t k = w->due.shape;
+    vec3 p = ray_at(w->r, w->due.t);
+    if (!items_bounds(x, k, &b)) return;
+    item_cell own = item_cell_at(b, p);
+    bool known = w->c->cell(w->s, k, p, &c), listed = c.outside < real_infinity;
+    bool alike = vzero(vsub(c.box.lo, b.lo)) && vzero(vsub(c.box.hi, b.hi));
+    fprintf(out, "  shape %u itself%s: ", k, alike ? ", and the box that lists it" : "");
+    if (alike || !known) {
+        item_cell only = known ? c : own;
+        print_place(out, only, verdict_of(w, x, only, known, p, wider));
+        return;
+    }
+    print_place(out, own, "");
+    fprintf(out, listed ? "  nearest box that lists it: " : "  it is listed nowhere\n");
+    if (listed) print_place(out, c, verdict_of(w, x, c, known, p, wider));
 }
 
 static inline void explain_alone(const contender_settings *how, const items *x,
@@ -143,7 +179,6 @@ static inline void explain_alone(const contender_settings *how, const items *x,
     wrong_answer again;
     hit due = hit_none;
     uint32_t k = w->due.shape;
-    if (k == no_shape) return;
     mesh m = x->m ? *x->m : (mesh){0};
     scene alone = x->m ? (scene){0} : (scene){x->s->shapes + k, 1};
     if (x->m) m.triangles = 1, m.index += 3 * (size_t)k;
@@ -174,8 +209,12 @@ static inline void explain_wrong(const wrong_answer *w, const contender_settings
     if (!w->any) print_hit(out, w->c->name, w->got);
     else fprintf(out, "  %s: occluded: %s\n", w->c->name, w->got.shape == no_shape ? "no" : "yes");
     fflush(out);  /* what follows may take seconds */
-    explain_window(w, out);
-    explain_shape(x, w, out);
+    if (w->due.shape == no_shape) {
+        fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
+        return;
+    }
+    real wider = explain_window(w, out);
+    explain_shape(x, w, wider, out);
     explain_alone(how, x, w, out);
 }
 
