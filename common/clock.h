@@ -2,9 +2,6 @@
 #ifndef CLOCK_H
 #define CLOCK_H
 #include "posix.h"
-#if defined __GLIBC__ && !defined __USE_XOPEN2K8
-#error "a header of the C library came first: include this project's headers before it"
-#endif
 #include <stdlib.h>
 #include <time.h>
 

@@ -22,9 +22,6 @@
 #ifndef FILE_H
 #define FILE_H
 #include "posix.h"
-#if defined __GLIBC__ && !defined __USE_XOPEN2K8
-#error "a header of the C library came first: include this project's headers before it"
-#endif
 #include <ctype.h>
 #include <errno.h>
 #include <signal.h>

@@ -4,8 +4,9 @@
  * its index alone and writes only where no other one does, so the result is the same byte for byte
  * whoever does what when. Progress and the time left go to stderr, if that is a terminal.
  *
- * Ctrl-C (or SIGTERM) ends the work after the pieces in hand, and the caller keeps what there is. A
- * second one kills. Where Ctrl-C is ignored (nohup), it stays ignored.
+ * Ctrl-C (or SIGTERM) ends the work after the pieces in hand, of which long ones give up where they
+ * find parallel_is_stopped(); the caller keeps what there is. A second one kills. Where Ctrl-C is
+ * ignored (nohup), it stays ignored.
  */
 #ifndef PARALLEL_H
 #define PARALLEL_H
@@ -20,7 +21,7 @@ typedef void pixel_job(int x, int y, void *context);
 /* ---------------------------------------------------------------------------------------------- */
 static atomic_int parallel_stop;            /* set by Ctrl-C */
 static atomic_int parallel_signal = SIGINT; /* the last that stopped anything */
-static _Thread_local bool parallel_inside;  /* this thread is at work on a piece */
+static _Thread_local int parallel_depth;    /* 1: this thread is at work on a piece; 2: within it */
 /* Of work in parts, for its time left: when it began, the share done before, that of this part. */
 typedef struct { double start, before, share; } parallel_part;
 static parallel_part parallel_now = {0, 0, 1};  /* start 0: this is all of it */
@@ -40,6 +41,8 @@ static inline void parallel_on_interrupt(int signal)
     if (atomic_exchange(&parallel_stop, signal)) file_on_signal(signal);
 }
 
+static inline bool parallel_is_stopped(void) { return parallel_stop && parallel_depth < 2; }
+
 /* The exit code of a program whose work was stopped: 130 after Ctrl-C, 143 after SIGTERM. */
 static inline int parallel_stopped(void) { return 128 + atomic_load(&parallel_signal); }
 
@@ -55,12 +58,12 @@ static inline void parallel_show(parallel_work *w, size_t done)
 
 static inline void parallel_run(parallel_work *w, bool show)
 {
-    parallel_inside = true;
-    for (size_t i; !atomic_load(&parallel_stop) && (i = atomic_fetch_add(&w->next, 1)) < w->n;) {
+    parallel_depth = 1;
+    for (size_t i; !parallel_is_stopped() && (i = atomic_fetch_add(&w->next, 1)) < w->n;) {
         if (show) parallel_show(w, i);
         w->job(i, w->context);
     }
-    parallel_inside = false;
+    parallel_depth = 0;
 }
 
 static inline void *parallel_thread(void *work) { return parallel_run(work, false), NULL; }
@@ -79,9 +82,10 @@ __attribute__((warn_unused_result))
 static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job,
                                 void *context)
 {
-    if (parallel_inside) {
+    if (parallel_depth > 0) {
+        parallel_depth++;
         for (size_t i = 0; i < n; i++) job(i, context);
-        return true;
+        return parallel_depth--, true;
     }
     enum { most = 255 };
     pthread_t others[most];
@@ -116,7 +120,7 @@ static inline void parallel_whole(size_t n, int threads, const char *what, paral
 }
 
 enum { parallel_side = 16 };  /* of a tile, pixels */
-typedef struct { int width, height, across, nested; pixel_job *job; void *context; } parallel_tiles;
+typedef struct { int width, height, across; pixel_job *job; void *context; } parallel_tiles;
 
 static inline void parallel_tile(size_t i, void *tiles)
 {
@@ -125,7 +129,7 @@ static inline void parallel_tile(size_t i, void *tiles)
     int y0 = (int)(i / (size_t)t->across) * parallel_side;
     for (int y = y0; y < y0 + parallel_side && y < t->height; y++)
         for (int x = x0; x < x0 + parallel_side && x < t->width; x++)
-            if (t->nested || !atomic_load(&parallel_stop)) t->job(x, y, t->context);
+            if (!parallel_is_stopped()) t->job(x, y, t->context);
 }
 
 /* As parallel_for: job(x, y) for each pixel, by tiles of 16 x 16; Ctrl-C waits for pixels alone. */
@@ -135,7 +139,7 @@ static inline bool parallel_pixels(int width, int height, int threads, const cha
 {
     int across = (width + parallel_side - 1) / parallel_side;
     int down = (height + parallel_side - 1) / parallel_side;
-    parallel_tiles t = {width, height, across, parallel_inside, job, context};
+    parallel_tiles t = {width, height, across, job, context};
     return parallel_for((size_t)across * (size_t)down, threads, what, parallel_tile, &t);
 }
 #endif

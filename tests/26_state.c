@@ -1,6 +1,7 @@
 /* Tests of 26: exact sums, states that are cut, joined, resumed, damaged; error estimates. */
 #include "check.h"
 #include "program.h"
+#include <sys/time.h>
 #include "../common/output.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/26_path_tracer/lab/command.h"
@@ -90,25 +91,32 @@ static void test_windows(void)
     film_free(&m);
 }
 
-/* A pass that was stopped: sample 0 is in tiles 1 and 5 of 3 x 2, the picture white there and black
- * elsewhere. */
+/* A pass that was stopped: of 3 x 2 tiles sample 0 is in two rows and 5 pixels of tile 0, in all of
+ * tile 1, in the first 3 pixels of tile 4, and in the only one of tile 5: there the picture is
+ * white, and black elsewhere. */
+static bool half_has(size_t x, size_t y)
+{
+    if (x < 16) return y < 2 || (y == 2 && x < 5);
+    return y < 16 ? x < 32 : x < 16 + 3 || x == 32;
+}
+
 static void test_half_a_pass(void)
 {
     film m = film_new(33, 17);
     size_t wrong = 0;
-    m.pending = (film_range){0, 1}, m.tile[1] = m.tile[5] = true;
+    m.pending = (film_range){0, 1}, m.done[0] = 37, m.done[1] = 256, m.done[4] = 3, m.done[5] = 1;
     for (size_t i = 0; i < 33 * 17; i++) {
         film_pixel p = {0};
-        bool there = i % 33 / 16 == (i < 16 * 33 ? 1 : 2);
+        bool there = half_has(i % 33, i / 33);
         film_pixel_add(&p, 0, there ? (vec3){1, 1, 1} : (vec3){0, 0, 0});
         film_gather(&m, i, &p);
     }
     image im = film_picture(&m);
     for (size_t i = 0; i < 33 * 17; i++) {
-        bool there = i % 33 / 16 == (i < 16 * 33 ? 1 : 2);
+        bool there = half_has(i % 33, i / 33);
         wrong += im.rgb[3 * i] != (there ? 1.0f : 0.0f);
     }
-    check_equal(wrong, 0, "pixels with another number of samples than their tile has");
+    check_equal(wrong, 0, "pixels with another number of samples than they have had");
     image_free(&im), film_free(&m);
 }
 
@@ -170,6 +178,46 @@ static void test_stopped(void)
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
+static void interrupt_soon(int signal) { (void)signal, raise(SIGINT); }
+
+/* A pass of so many samples, with Ctrl-C after 20 ms of work; the time it takes, in seconds. */
+static double stopped_pass(render_job *j, film *f, uint32_t samples)
+{
+    struct itimerval soon = {.it_value = {0, 20000}}, never = {.it_value = {0, 0}};
+    double begun = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+    signal(SIGPROF, interrupt_soon), signal(SIGINT, SIG_DFL);
+    setitimer(ITIMER_PROF, &soon, NULL);
+    check(!passes_range(render_passes(j), f, 0, samples), "%u samples: stopped", (unsigned)samples);
+    setitimer(ITIMER_PROF, &never, NULL);
+    signal(SIGPROF, SIG_IGN);
+    return clock_of(CLOCK_PROCESS_CPUTIME_ID) - begun;
+}
+
+/* A pass ends between two samples of a pixel; the pixels before that one are as in a whole pass. */
+static void test_stopped_in_a_pixel(void)
+{
+    enum { side = 40, samples = 256 };
+    shot s;
+    place_of(&s, "spheres", 1);
+    film whole = film_new(side, side), part = film_new(side, side), none = film_new(side, side);
+    passes_range(render_passes(&s.j), &whole, 0, samples);
+    stopped_pass(&s.j, &part, samples);
+    double seconds = stopped_pass(&s.j, &none, 1u << 18);
+    image due = film_picture(&whole), im = film_picture(&part);
+    size_t kept = 0, wrong = 0;
+    for (int i = 0; i < side * side; i++) {
+        const float black[3] = {0, 0, 0}, *has = im.rgb + 3 * i;
+        bool there = film_has_pending(&part, i % side, i / side);
+        kept += there, wrong += memcmp(has, there ? due.rgb + 3 * i : black, sizeof black) != 0;
+    }
+    check(kept > 0 && kept < side * side, "pixels of a stopped pass: %zu", kept);
+    check_equal(wrong, 0, "pixels that are neither whole nor black");
+    check_at_most(seconds, 0.5, "seconds until a pass of 2^18 samples stops");
+    check_equal(none.done[0], 0, "pixels that have them");
+    image_free(&due), image_free(&im);
+    film_free(&whole), film_free(&part), film_free(&none), shot_free(&s);
+}
+
 static void test_parts(void)
 {
     const uint32_t cut[] = {0, 1, 7, 8, 20, 33};
@@ -210,11 +258,11 @@ static void test_ranges(void)
     check(film_cover(&m, 2, 4, &f) && m.ranges == 2 && m.range[0].end == 8, "a gap is closed");
     check(film_cover(&m, 8, 9, &f) && m.ranges == 1 && m.range[0].end == 11, "all of them");
     double n[2];
-    film_count(&m, 0, n);
+    film_count(&m, 0, 0, n);
     check(n[0] == 6 && n[1] == 5, "samples 0 .. 10: six are even");
     m.ranges = 0;
     check(film_cover(&m, 3, 6, &f), "an odd range");
-    film_count(&m, 0, n);
+    film_count(&m, 0, 0, n);
     check(n[0] == 1 && n[1] == 2, "samples 3, 4, 5: one is even");
     film_free(&m);
 }
@@ -549,6 +597,7 @@ int main(void)
     test_doubt();
     test_next();
     test_stopped();
+    test_stopped_in_a_pixel();
     test_parts();
     test_state();
     test_dielectric();

@@ -150,5 +150,22 @@ for name in ${ONLY:-$programs}; do
     done
     cd "$scratch" || exit 1
 done
+# A million samples a pixel take seconds: it is left between two of them.
+mkdir "$scratch/long" && cd "$scratch/long" || exit 1
+for name in 21_distributed 24_direct_light 25_bounces 26_path_tracer 27_effects; do
+    [ -x "$BUILD/$name" ] || { no "not built"; continue; }
+    "$scratch/limit" - "$BUILD/$name" --samples 1048576 --size 640x480 --threads 2 --out x.png >/dev/null 2>err &
+    pid=$!
+    sleep 0.3
+    kill -INT $pid
+    for tenth in $(seq 100); do
+        kill -0 $pid 2>/dev/null || break
+        sleep 0.1
+    done
+    if [ "$tenth" -lt 100 ]; then ok; else no "10 s after Ctrl-C it runs"; kill -KILL $pid; fi
+    wait $pid 2>/dev/null
+    status=$?
+    if [ $status -eq 130 ] && tail -c 8 x.png | grep -q IEND; then ok; else no "stopped: exit $status: $(cat err)"; fi
+done
 name=faults.sh
 report

@@ -215,8 +215,10 @@ static inline void distributed_pixel(int x, int y, void *context)
     distributed_view *v = context;
     distributor d = distributor_of(v->w, v->how);
     vec3 sum = {0, 0, 0};
-    for (uint32_t k = 0; k < v->samples; k++)
+    for (uint32_t k = 0; k < v->samples; k++) {
+        if (parallel_is_stopped()) return;
         sum = vadd(sum, distributed_camera(v, &d, x, y, k));
+    }
     image_set(v->im, x, y, vscale(sum, 1 / (real)v->samples));
     pthread_mutex_lock(&v->lock);
     trace_counts_add(&v->spent.rays, &d.t.counts);

@@ -41,8 +41,8 @@ typedef struct {
     film_sum *half[2];                    /* [width height] each: a first sample fills one only */
     film_range range[film_most_ranges + 1];  /* rising, with gaps between them; room for one */
     int ranges;
-    film_range pending;                   /* a pass that was stopped: done only where `tile` says */
-    bool *tile;                           /* [tiles] of 16 x 16 */
+    film_range pending;                   /* a pass that was stopped: */
+    uint16_t *done;                       /* [tiles] of 16 x 16: by rows, so many pixels have it */
 } film;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -72,13 +72,13 @@ static inline film film_new(int width, int height)
     size_t n = (size_t)width * (size_t)height;
     f.half[0] = allocate(2 * n, sizeof *f.half[0]);
     f.half[1] = f.half[0] + n;
-    f.tile = allocate(film_tiles(&f), sizeof *f.tile);
+    f.done = allocate(film_tiles(&f), sizeof *f.done);
     return f;
 }
 
 static inline void film_free(film *f)
 {
-    free(f->half[0]), free(f->tile);
+    free(f->half[0]), free(f->done);
     *f = (film){.width = 0};
 }
 
@@ -104,10 +104,19 @@ static inline double film_share(film_range r, int half)
     return half ? r.end / 2 - r.begin / 2 : (r.end + 1) / 2 - (r.begin + 1) / 2;
 }
 
-static inline void film_count(const film *f, size_t tile, double n[2])
+/* Whether pixel (x, y) has the samples of the pass that is pending. */
+static inline bool film_has_pending(const film *f, int x, int y)
 {
+    size_t tile = (size_t)(y / film_side) * film_across(f) + (size_t)(x / film_side);
+    film_window w = film_window_of(f, tile);
+    return (y - w.y0) * (w.x1 - w.x0) + x - w.x0 < f->done[tile];
+}
+
+static inline void film_count(const film *f, int x, int y, double n[2])
+{
+    bool pending = film_has_pending(f, x, y);
     for (int h = 0; h < 2; h++) {
-        n[h] = f->tile[tile] ? film_share(f->pending, h) : 0;
+        n[h] = pending ? film_share(f->pending, h) : 0;
         for (int i = 0; i < f->ranges; i++) n[h] += film_share(f->range[i], h);
     }
 }
@@ -161,7 +170,7 @@ static inline image film_picture(const film *f)
     size_t w = (size_t)f->width;
     for (size_t i = 0; i < w * (size_t)f->height; i++) {
         double n[2];
-        film_count(f, i / w / film_side * film_across(f) + i % w / film_side, n);
+        film_count(f, (int)(i % w), (int)(i / w), n);
         for (int k = 0; k < 3 && n[0] + n[1] > 0; k++) {
             tally sum = f->half[0][i].of[k];
             tally_join(&sum, &f->half[1][i].of[k]);

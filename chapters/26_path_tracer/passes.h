@@ -5,8 +5,9 @@
  *   bool whole = passes_range(&p, &f, a, b);        samples a .. b-1 of every pixel; false: Ctrl-C
  *   bool whole = passes_until(&p, &f, goal);        passes, from where the film ends
  *
- *   f(k, &job)      samples p.now of each pixel in film_window_of(p.to, k), each gathered once;
- *                   then p.to->tile[k] = true. p.lock is for what all threads add to
+ *   f(k, &job)      samples p.now of each pixel in film_window_of(p.to, k), by rows, gathered once
+ *                   and counted in p.to->done[k]. Once stopped, it counts no more: a pixel is left
+ *                   between two samples. p.lock is for what all threads add to
  *
  *   goal            ends
  *   .samples = N    when every pixel has samples 0 .. N-1
@@ -49,14 +50,14 @@ static inline bool passes_range(film_passes *p, film *f, uint32_t begin, uint32_
     double start = clock_seconds();
     if (begin >= end) return true;
     p->to = f, p->now = f->pending = (film_range){begin, end};
-    memset(f->tile, 0, film_tiles(f) * sizeof *f->tile);
+    memset(f->done, 0, film_tiles(f) * sizeof *f->done);
     pthread_mutex_init(&p->lock, NULL);
     bool whole = parallel_for(film_tiles(f), p->threads, "samples", p->tile, p->job);
     pthread_mutex_destroy(&p->lock);
     p->seconds += clock_seconds() - start;
     if (!whole) return false;
     p->samples += end - begin;
-    memset(f->tile, 0, film_tiles(f) * sizeof *f->tile);
+    memset(f->done, 0, film_tiles(f) * sizeof *f->done);
     if (!film_cover(f, begin, end, &why)) fail(why);
     return true;
 }

@@ -25,23 +25,26 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The samples of one pixel. What they share is hashed once; their sums are local. */
-static inline size_t render_pixel(const render_job *j, film *f, int x, int y, path_counts *c)
+/* The samples of one pixel; false: stopped before the last. What they share is hashed once; their
+ * sums are local. */
+static inline bool render_pixel(const render_job *j, film *f, int x, int y, path_counts *c,
+                                size_t *refused)
 {
-    size_t i = (size_t)y * (size_t)f->width + (size_t)x, refused = 0;
+    size_t i = (size_t)y * (size_t)f->width + (size_t)x;
     path_pixel half[2];
     film_pixel sum = {{{{{0, 0}}}}};
     const film_range now = j->pass.now;
     for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
         path_pixel_of(&j->tracer->how, j->seed, 2 * i + k % 2, &half[k % 2]);
     for (uint32_t k = now.begin; k < now.end; k++) {
+        if (parallel_is_stopped()) return false;
         path_random s = path_sample(&half[k % 2], k / 2, 1u << 31);
         point2 u = path_pair(&s);
         ray eye = camera_ray(j->eye, (real)x + u.u, (real)y + u.v, f->width, f->height);
-        refused += !film_pixel_add(&sum, k, path_radiance(j->tracer, eye, &s, c));
+        *refused += !film_pixel_add(&sum, k, path_radiance(j->tracer, eye, &s, c));
     }
     film_gather(f, i, &sum);
-    return refused;
+    return true;
 }
 
 static inline void render_tile(size_t tile, void *job)
@@ -52,8 +55,8 @@ static inline void render_tile(size_t tile, void *job)
     size_t refused = 0;
     film_window w = film_window_of(f, tile);
     for (int y = w.y0; y < w.y1; y++)
-        for (int x = w.x0; x < w.x1; x++) refused += render_pixel(j, f, x, y, &c);
-    f->tile[tile] = true;
+        for (int x = w.x0; x < w.x1; x++)
+            f->done[tile] += render_pixel(j, f, x, y, &c, &refused);
     pthread_mutex_lock(&j->pass.lock);
     path_counts_add(&j->counts, &c);
     j->refused += refused;

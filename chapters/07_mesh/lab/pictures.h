@@ -25,7 +25,7 @@ static vec3 mesh_view_colour(const void *context, real x, real y)
     const mesh_view *w = context;
     ray r = camera_ray(w->c, x, y, w->width, w->height);
     hit h;
-    if (atomic_load(&parallel_stop)) return vec(0, 0, 0);
+    if (parallel_is_stopped()) return vec(0, 0, 0);
     if (!mesh_hit(w->m, r, &h)) return vec(0.015, 0.02, 0.03);
     return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
 }

@@ -61,6 +61,7 @@ static inline void direct_pixel(int x, int y, void *context)
     sampler_keys keys;
     sampler_keys_of(v->sequence, v->seed, pixel, &keys);
     for (uint32_t i = 0; i < v->n; i++) {
+        if (parallel_is_stopped()) return;
         sampler s = sampler_of_keys(&keys, i, v->n);
         point2 p = sampler_pair(&s);
         ray r = camera_ray(v->g->c, (real)x + p.u, (real)y + p.v, k->im->width, k->im->height);

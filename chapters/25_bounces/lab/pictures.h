@@ -35,6 +35,7 @@ static inline void term_pixel(int x, int y, void *context)
     vec3 mean[term_columns] = {{0, 0, 0}}, term[term_most + 1], sum = {0, 0, 0};
     bounce_counts c = {.direct = {0, 0, 0}};
     for (uint32_t i = 0; i < t->samples; i++) {
+        if (parallel_is_stopped()) return;
         uint64_t pixel = (uint64_t)y * (uint64_t)t->w + (uint64_t)x;
         sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, t->samples);
         point2 u = sampler_pair(&s);

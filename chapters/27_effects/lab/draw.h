@@ -86,21 +86,22 @@ static inline void draw_refuse(const drawing *j)
             "(single sheets are for illum 4 or 9)", media_most, media_most_faces);
 }
 
-/* The samples of a pass, of one pixel. */
-static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x, int y,
-                                    effects_counts *c)
+/* The samples of a pass, of one pixel; false: stopped before the last. */
+static inline bool draw_pixel(const drawing *j, effects_function *f, int x, int y, film_pixel *out,
+                              effects_counts *c)
 {
     film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     dice_pixel of;
     dice_pixel_of(j->seed, i, !j->middle, &of);
     for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
+        if (parallel_is_stopped()) return false;
         dice d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r, c), &d, c));
     }
-    return sum;
+    return *out = sum, true;
 }
 
 static inline void draw_tile(size_t tile, void *context)
@@ -112,10 +113,11 @@ static inline void draw_tile(size_t tile, void *context)
     film_window w = film_window_of(to, tile);
     for (int y = w.y0; y < w.y1; y++)
         for (int x = w.x0; x < w.x1; x++) {
-            film_pixel sum = draw_pixel(j, f, x, y, &c);
+            film_pixel sum;
+            if (!draw_pixel(j, f, x, y, &sum, &c)) continue;  /* nor will those that follow */
             film_gather(to, (size_t)y * (size_t)to->width + (size_t)x, &sum);
+            to->done[tile]++;
         }
-    to->tile[tile] = true;
     pthread_mutex_lock(&j->pass.lock);
     effects_counts_add(&j->counts, &c), draw_refuse(j);
     pthread_mutex_unlock(&j->pass.lock);
