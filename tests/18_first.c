@@ -17,7 +17,7 @@ typedef struct {
 
 static material both_look(const void *world, trace_hit x, const surface *s)
 {
-    whitted_material room;
+    whitted_look room;
     return first_world_look(world, x, s, &room)->base;
 }
 

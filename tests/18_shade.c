@@ -200,7 +200,7 @@ static void test_light(void)
     lamp.colour = o;
     check(!light_reaches(&lamp, o, up, up, &x), "a black light");
 
-    material m = {{0.5, 0.25, 0}, {0.5, 0, 0.125}, 2, o};
+    material m = {.kd = {0.5, 0.25, 0}, .ks = {0.5, 0, 0.125}, .shine = 2};
     vec3 E = {(real)pi, 1, 8}, l = {0.6, 0, 0.8}, v = {-0.6, 0, 0.8};
     vec3 c = blinn_phong(&m, up, l, v, E);  /* h = n: the lobe is 1 */
     check_close(c.x, 0.5 + 0.5 * (double)pi, 8 * eps, "Lambert kd E / pi, and ks E (18.3, 18.4)");
@@ -224,7 +224,7 @@ static material matte(const void *context, trace_hit x, const surface *s)
 {
     (void)x, (void)s;
     const vec3 *kd = context;
-    return (material){*kd, {0, 0, 0}, 1, {0, 0, 0}};
+    return (material){.kd = *kd, .shine = 1};
 }
 
 /* A ball of radius 1 that lies on a floor, anywhere; light from above, or a lamp at height 3. The
@@ -286,8 +286,8 @@ static void test_contact(void)
 static material shiny(const void *context, trace_hit x, const surface *s)
 {
     (void)context, (void)s;
-    if (x.part == 1) return (material){{1, 1, 1}, {0, 0, 0}, 1, {0, 0, 0}};
-    return (material){{0.5, 0.25, 0}, {0, 0.5, 0.125}, 3, {0, 0, 7}};
+    if (x.part == 1) return (material){.kd = {1, 1, 1}, .shine = 1};
+    return (material){.kd = {0.5, 0.25, 0}, .ks = {0, 0.5, 0.125}, .shine = 3, .ke = {0, 0, 7}};
 }
 
 /* (18.8) at the north pole of a ball, seen from above, by a d that is not unit: sun from (0.6, 0,

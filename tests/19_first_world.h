@@ -17,8 +17,8 @@ typedef struct { whitted_stage on; const first_scene *s; } first_world;
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Of a board, the square that s->p lies in. */
-static inline const whitted_material *first_world_look(const void *context, trace_hit x,
-                                                       const surface *s, whitted_material *room)
+static inline const whitted_look *first_world_look(const void *context, trace_hit x,
+                                                   const surface *s, whitted_look *room)
 {
     const first_world *w = context;
     const first_thing *t = &w->s->thing[x.h.shape];
@@ -38,11 +38,12 @@ static inline vec3 first_world_sky(const void *context, vec3 d)
 static inline void first_world_add(whitted_stage *on, const first_thing *t)
 {
     const first_material *m = &t->m;
-    whitted_material look = {{m->kd, m->ks, m->shine, m->ke}, m->mirror, {0, 0, 0}, 0, 0};
+    whitted_look look = {.base = {.kd = m->kd, .ks = m->ks, .shine = m->shine, .ke = m->ke,
+                                  .mirror = m->mirror}};
     vec3 *q = on->corner + 4 * on->n, far = vadd(vadd(t->corner, t->a), t->b);
     if (m->ior != 0) {
         look.body = (uint32_t)on->n + 1;
-        look.mirror = look.through = (vec3){1, 1, 1};
+        look.base.mirror = look.base.through = (vec3){1, 1, 1};
         on->media[look.body].ior = m->ior;
     }
     q[0] = t->corner, q[1] = vadd(t->corner, t->a), q[2] = far, q[3] = vadd(t->corner, t->b);

@@ -16,7 +16,7 @@
 typedef whitted_stage stage;
 
 /* A square of side 2 h in the plane z = c.z. */
-static void stage_square(stage *s, vec3 c, real h, bool up, whitted_material m)
+static void stage_square(stage *s, vec3 c, real h, bool up, whitted_look m)
 {
     vec3 half = {h, h, 0};
     stage_floor(s, vsub(c, half), vadd(c, half), up, m);
@@ -134,7 +134,7 @@ static void test_ball(void)
 static void test_hall(void)
 {
     stage s = {0};
-    whitted_material m = whitted_mirror(0.5);
+    whitted_look m = whitted_mirror(0.5);
     m.base.ke = (vec3){1, 1, 1};
     stage_square(&s, (vec3){0, 0, 0}, 4, true, m);
     stage_square(&s, (vec3){0, 0, 3}, 4, false, m);
@@ -220,7 +220,7 @@ static void test_squeeze(void)
     }
     check_at_most(worst, 256 * (double)real_epsilon, "an eye in glass under a sky of 1 sees n^2");
     stage_end(&s);
-    whitted_material floor = whitted_paint(0, 0, 0);
+    whitted_look floor = whitted_paint(0, 0, 0);
     floor.base.ke = (vec3){1, 1, 1}, p.media[1].ior = (real)1.33;
     stage_square(&p, (vec3){0, 0, 0}, 9, true, whitted_clear(1, 1));
     stage_square(&p, (vec3){0, 0, -1}, 9, true, floor);
@@ -256,7 +256,7 @@ static void test_smoothed(void)
     world_part_of_mesh(&pot, MASK_ALL, &part);
     size_t grazing = 0, below = 0, back = 0, wrong = 0, n = check_count(20000);
     const medium air = {1, {0, 0, 0}, 0};
-    const whitted_material chrome = whitted_mirror(1);
+    const whitted_look chrome = whitted_mirror(1);
     const whitted w = {.depth = 4, .media = &air};
     for (size_t i = 0; i < n; i++) {
         random_stream q = random_start(13, i, 0);
@@ -281,7 +281,7 @@ static void test_smoothed_glass(void)
     mesh pot = teapot_mesh(24);
     size_t below = 0, out = 0, wrong = 0, n = check_count(20000);
     const medium media[2] = {{1, {0, 0, 0}, 0}, {(real)1.5, {0, 0, 0}, 0}};
-    const whitted_material glass = whitted_clear(1, 1);
+    const whitted_look glass = whitted_clear(1, 1);
     const whitted w = {.depth = 4, .media = media};
     for (size_t i = 0; i < n; i++) {
         random_stream q = random_start(14, i, 0);
@@ -392,7 +392,7 @@ static void test_on_table(void)
 {
     for (int first = 0; first < 2; first++) {
         stage s = {0};
-        whitted_material table = whitted_paint(0, 0, 0);
+        whitted_look table = whitted_paint(0, 0, 0);
         table.base.ke = (vec3){1, 2, 4};
         s.media[1].ior = 1.5;
         if (first) stage_square(&s, (vec3){0, 0, 0}, 9, true, table);
@@ -441,7 +441,7 @@ static void test_touch(void)
         vec3 z = vunit((vec3){random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, 1}), a, b;
         vbasis(z, &a, &b);
         stage s = {0};
-        whitted_material floor = whitted_paint(0, 0, 0);
+        whitted_look floor = whitted_paint(0, 0, 0);
         floor.base.ke = (vec3){1, 1, 1};
         s.media[1].ior = 1.5;
         for (int k = 0; k < 3; k++) {  /* floor, under side, upper side */
@@ -488,8 +488,8 @@ static void test_reach(void)
         stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_clear(1, 1));
         stage_square(&s, (vec3){0, 0, z}, 1, true, whitted_paint(1, 1, 1));
         t = stage_begin(&s, 3);
-        whitted_material room, glass = whitted_clear(1, 1);
-        const whitted_material *m = &glass;
+        whitted_look room, glass = whitted_clear(1, 1);
+        const whitted_look *m = &glass;
         media_crossing c = {0};
         on = surface_of_trace(&t, r, x);
         contact_find(&t, r, x, &on, &m, &room, &c);
@@ -520,7 +520,7 @@ static void test_inside(void)
 
 /* ---- what a look says counts: one ball of glass, along its axis ------------------------------ */
 
-static vec3 looked_at(whitted_material m, whitted *w, vec3 o, vec3 d)
+static vec3 looked_at(whitted_look m, whitted *w, vec3 o, vec3 d)
 {
     stage s = {.w = *w};
     s.media[1] = (medium){1.5, {1, 0, 0}, 0};
@@ -580,8 +580,8 @@ static void test_looks(void)
     double eps = (double)real_epsilon;
     vec3 up = {0, 0, 5}, down = {0, 0, -1}, c;
     whitted w = {.sky = sky_above, .depth = 2};
-    whitted_material m = whitted_clear(1, 1);
-    m.mirror = vec(0.5, 1, 0), m.through = (vec3){0, 0, 0};
+    whitted_look m = whitted_clear(1, 1);
+    m.base.mirror = vec(0.5, 1, 0), m.base.through = (vec3){0, 0, 0};
     c = looked_at(m, &w, up, down);  /* R = 0.04 of the sky above, times M */
     check_close(c.x, 0.02, 0.02 * 4 * eps, "M of glass");
     check(c.y == 0 && c.z == 0, "the sky in the direction of the ray; M black");
@@ -612,7 +612,7 @@ static void test_looks(void)
 
 typedef struct {
     const char *what;
-    whitted_material m;
+    whitted_look m;
     double ior, least;
     int depth;
     bool inside;
@@ -636,11 +636,12 @@ static trace_counts ball_counts(const called_for *x)
 
 static void test_called_for(void)
 {
-    whitted_material paint = whitted_paint(0.5, 0.5, 0.5), half = whitted_mirror(0.5);
-    whitted_material glass = whitted_clear(1, 1), shut = glass;
-    shut.through = (vec3){0, 0, 0};
-    whitted_material red = half, green = half, blue = half;
-    red.mirror = vec(0.5, 0, 0), green.mirror = vec(0, 0.5, 0), blue.mirror = vec(0, 0, 0.5);
+    whitted_look paint = whitted_paint(0.5, 0.5, 0.5), half = whitted_mirror(0.5);
+    whitted_look glass = whitted_clear(1, 1), shut = glass;
+    shut.base.through = (vec3){0, 0, 0};
+    whitted_look red = half, green = half, blue = half;
+    red.base.mirror = vec(0.5, 0, 0), green.base.mirror = vec(0, 0.5, 0);
+    blue.base.mirror = vec(0, 0, 0.5);
     const called_for list[] = {
         {"opaque, and no mirror", paint, 1, 0, 8, false, 0, 0, 0},
         {"a mirror: one each, away from it", half, 1, 0, 8, false, 10, 0, 0},
@@ -748,7 +749,7 @@ static void test_loops(void)
     test_loop("tank", tank_new(), tank_camera(aspect));
     test_loop("forty balls", forty_new(), forty_camera(aspect));
     stage s = {0};
-    whitted_material m = whitted_mirror(1);
+    whitted_look m = whitted_mirror(1);
     m.base.ke = (vec3){1, 1, 1};
     stage_square(&s, (vec3){0, 0, 0}, 4, true, m), stage_square(&s, (vec3){0, 0, 3}, 4, false, m);
     tracer t = stage_begin(&s, 1000);

@@ -183,7 +183,7 @@ static material furnace_material(const void *context, trace_hit x, const surface
 static furnace *furnace_new(vec3 kd, vec3 ks, real shine, const vec3 *wall)
 {
     furnace *f = allocate(1, sizeof *f);
-    f->floor = (material){kd, ks, shine, {0, 0, 0}};
+    f->floor = (material){.kd = kd, .ks = ks, .shine = shine};
     for (int k = 0; k < 4; k++) {
         f->corner[k] = (vec3){k == 0 || k == 3 ? -100 : 100, k < 2 ? -100 : 100, 0};
         if (wall) f->corner[4 + k] = wall[k];

@@ -405,7 +405,7 @@ static tracer asking(const trace_world *w)
 static material plain(const void *context, trace_hit x, const surface *s)
 {
     (void)context, (void)x, (void)s;
-    return (material){vec(0.5, 0.4, 0.3), vec(0.3, 0.3, 0.3), real_infinity, {0, 0, 0}};
+    return (material){.kd = vec(0.5, 0.4, 0.3), .ks = vec(0.3, 0.3, 0.3), .shine = real_infinity};
 }
 
 static const trace_world nothing = {.part = NULL};

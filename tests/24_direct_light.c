@@ -21,7 +21,7 @@ typedef struct { lit_scene s; double truth, hits; const char *what; bool near; }
 
 static uint16_t lamp_of(lit_scene *s, double L)
 {
-    return lit_add_material(s, (lit_material){.Le = vec(L, L, L)});
+    return lit_add_material(s, (material){.ke = vec(L, L, L)});
 }
 
 /* A sphere of radius r at o; with r = 0 a rectangle. near: samples by area have so long a tail that
@@ -66,7 +66,7 @@ static setting light_of(light_row l)
     }
     if (l.hidden)
         lit_add_rectangle(&x.s, (rectangle){vec(-.5, -.5, 1), vec(.5, 0, 0), vec(0, 1, 0)},
-                          lit_add_material(&x.s, (lit_material){.f = brdf_lambert(white)}));
+                          lit_add_material(&x.s, (material){.kd = white}));
     lit_end(&x.s);
     x.hits = x.truth / (double)pi;
     return x;
@@ -75,18 +75,17 @@ static setting light_of(light_row l)
 static setting setting_of(int i) { return light_of(light_list[i]); }
 
 /* A point of some surface of which nothing else is known, at p. */
-static lit_hit place(vec3 p, const lit_material *m)
+static lit_hit place(vec3 p, const brdf *f)
 {
     surface s = {p, up, up, 2 * real_epsilon * surface_reach(p), 0, no_shape};
-    return (lit_hit){s, m, lit_dark, 1, true, false};
+    return (lit_hit){s, NULL, f, lit_dark, 1, true, false};
 }
 
 typedef struct { estimate e; direct_work w; double most; } outcome;
 static outcome measure(const lit_scene *s, direct_way way, lit_lights_rule kind, brdf f, vec3 wo,
                        size_t n, bool spend_all)
 {
-    lit_material m = {.f = f};
-    lit_hit h = place(black, &m);
+    lit_hit h = place(black, &f);
     outcome o = {{0}, {0, 0, 0}, 0};
     lit_lights l;
     lit_lights_of(s, NULL, kind, &l);
@@ -251,18 +250,18 @@ static void test_choice(void)
     lit_begin(&s);
     for (int k = 0; k < 3; k++) {
         vec3 Le = {k == 0 ? 3 : 0, k == 1 ? 3 : 0, k == 2 ? 4 : 0};
-        uint16_t lamp = lit_add_material(&s, (lit_material){.Le = Le});
+        uint16_t lamp = lit_add_material(&s, (material){.ke = Le});
         rectangle r = {vec(2 * k - 3, 0, 1), vec(0, k < 2 ? 1 : 1.5, 0), vec(1, 0, 0)};
         lit_add_rectangle(&s, r, lamp);
     }
-    uint16_t round = lit_add_material(&s, (lit_material){.Le = vec(0, 0, 12 / (double)pi)});
+    uint16_t round = lit_add_material(&s, (material){.ke = vec(0, 0, 12 / (double)pi)});
     lit_add_shape(&s, shape_of_sphere((sphere){{7, 8, 9}, (real).5}), round);
     lit_end(&s);
     for (int kind = LIGHTS_ALL; kind <= LIGHTS_FLUX; kind++) {
         lit_lights l;
         direct_work w = {0, 0, 0};
-        lit_material m = {.f = brdf_lambert(white)};
-        lit_hit h = place(black, &m);
+        brdf matte = brdf_lambert(white);
+        lit_hit h = place(black, &matte);
         lit_lights_of(&s, NULL, (lit_lights_rule)kind, &l);
         direct d = {&s, DIRECT_POWER, &l, &w, false};
         const double flux[4] = {.125, .125, .25, .5};
@@ -344,8 +343,8 @@ static void test_called_for(void)
 static void test_leaning(void)
 {
     setting x = light_of((light_row){.o = {1, -1, -1}, .s = vec(0, 0, .9), .t = {0, 2, 0}});
-    lit_material m = {.f = brdf_lambert(white)};
-    lit_hit h = place(black, &m);
+    brdf matte = brdf_lambert(white);
+    lit_hit h = place(black, &matte);
     h.s.ns = vunit(vec(1, 0, .5));
     lit_lights l;
     lit_lights_of(&x.s, NULL, LIGHTS_ALL, &l);
@@ -401,7 +400,7 @@ static void test_far(void)
         lit_scene s;
         vec3 at = vec(far, -far, far / 2);
         lit_begin(&s);
-        uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
+        uint16_t grey = lit_add_material(&s, (material){.kd = white});
         rectangle floor = {vadd(at, vec(-4, -4, 0)), vec(8, 0, 0), vec(0, 8, 0)};
         rectangle wall = {vadd(at, vec(.25, -1, 0)), vec(0, 0, 2), vec(0, 2, 0)};
         lit_add_rectangle(&s, floor, grey);
@@ -440,7 +439,7 @@ static void test_far(void)
  * some of them only, and half of the lamp is hidden from the origin. */
 static void test_point_lights(void)
 {
-    const lit_material matte = {.f = brdf_lambert(white)};
+    const brdf matte = brdf_lambert(white);
     setting open = setting_of(9), hidden = setting_of(16);
     lit_hit h = place(black, &matte);
     for (int half = 0; half < 2; half++) {

@@ -80,8 +80,8 @@ static estimate by_both(const setting *t, size_t n)
     lit_lights_of(&s, NULL, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, DIRECT_POWER, &l, &work, false};
-    lit_material white = {.f = brdf_lambert((vec3){1, 1, 1})};
-    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &white, lit_dark, 1, true, false};
+    brdf white = brdf_lambert((vec3){1, 1, 1});
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, NULL, &white, lit_dark, 1, true, false};
     estimate e = {0, 0, 0};
     for (size_t i = 0; i < n; i++) {
         sampler q = sampler_start(SEQUENCE_RANDOM, 3, 0, (uint32_t)i, (uint32_t)n);
@@ -139,7 +139,7 @@ static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
     emitter_point y;
     if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
     if (lit_occluded_from(s, leave_between(x->s, y.s), no_shape, lit_dark)) return 0;
-    real fcos = brdf_value(&x->m->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
+    real fcos = brdf_value(x->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
     return (double)(fcos * s->emitter[0].Le.y / y.pdf);
 }
 

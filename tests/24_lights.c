@@ -45,7 +45,7 @@ static void test_trace(const lit_scene *s, double size, const char *name)
         wrong += !same(h.s.p, x.p) || !same(h.s.n, x.n) || !same(h.s.ns, x.ns);
         wrong += h.s.error != x.error || h.s.noise != x.noise;
         wrong += h.m != &s->material[of] || h.emitter != s->emitter_of[place];
-        vec3 none = {0, 0, 0}, le = front && h.emitter != lit_dark ? h.m->Le : none;
+        vec3 none = {0, 0, 0}, le = front && h.emitter != lit_dark ? h.m->ke : none;
         wrong += !same(lit_emitted(&h), le);
     }
     check_equal(wrong, 0, "%s: hit, surface, material, emission as by brute force", name);
@@ -57,8 +57,8 @@ static lit_scene a_scene(void)
 {
     lit_scene s;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(3, 2, 1)});
+    uint16_t grey = lit_add_material(&s, (material){.kd = vec(.5, .5, .5)});
+    uint16_t lamp = lit_add_material(&s, (material){.ke = vec(3, 2, 1)});
     for (int k = 0; k < 30; k++) {
         vec3 a = random_point((uint64_t)k, 7, 3), b = random_point((uint64_t)k, 8, 1);
         triangle t = {a, vadd(a, b), vadd(a, vec(1, .2, .1))};
@@ -89,7 +89,7 @@ static void test_corners_without_a_normal(void)
                 .normals = 2, .normal_index = of};
     lit_scene s;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+    uint16_t grey = lit_add_material(&s, (material){.kd = vec(.5, .5, .5)});
     for (uint32_t k = 0; k < 2; k++) {
         lit_add_mesh(&s, &one, grey);
         const uint32_t *now = s.m.normal_index + 3 * k;
@@ -149,8 +149,8 @@ static void test_joined(void)
     lit_scene s;
     lit_hit h;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(1, 1, 1)});
+    uint16_t grey = lit_add_material(&s, (material){.kd = vec(.5, .5, .5)});
+    uint16_t lamp = lit_add_material(&s, (material){.ke = vec(1, 1, 1)});
     lit_add_shape(&s, shape_of_sphere((sphere){vec(0, 0, 0), 1}), lamp);
     lit_add_triangle(&s, (triangle){vec(1, -1, -1), vec(1, 1, -1), vec(1, 0, 1)}, grey);
     mesh pot[2] = {teapot_mesh(1), teapot_mesh(2)};
@@ -347,7 +347,7 @@ static void test_unseen(void)
         lit_scene one;
         lit_begin(&one);
         lit_add_rectangle(&one, odd[i],
-                          lit_add_material(&one, (lit_material){.Le = vec(1, 1, 1)}));
+                          lit_add_material(&one, (material){.ke = vec(1, 1, 1)}));
         check_equal(one.emitters, 0, "rectangle %d without an area that is a number: dark", i);
         lit_free(&one);
     }
@@ -403,7 +403,7 @@ static void test_fan(void)
     lit_scene s;
     lit_hit h;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){1, 1, 1})});
+    uint16_t grey = lit_add_material(&s, (material){.kd = (vec3){1, 1, 1}});
     for (int i = 0; i < n; i++) {
         real a = 2 * pi * (real)i / n, b = 2 * pi * (real)(i + 1) / n;
         triangle t = {{0, 0, 0}, {cos(a), sin(a), 0}, {cos(b), sin(b), 0}};
@@ -426,8 +426,8 @@ static void test_same_numbers(void)
     lit_scene s;
     lit_hit h;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){1, 1, 1})});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = {1, 1, 1}});
+    uint16_t grey = lit_add_material(&s, (material){.kd = (vec3){1, 1, 1}});
+    uint16_t lamp = lit_add_material(&s, (material){.ke = {1, 1, 1}});
     lit_add_rectangle(&s, (rectangle){{-9, -9, 4}, {0, 18, 0}, {18, 0, 0}}, lamp);
     lit_add_rectangle(&s, (rectangle){{-9, -9, -1}, {18, 0, 0}, {0, 18, 0}}, grey);
     for (int i = 0; i < 4; i++)

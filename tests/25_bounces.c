@@ -173,7 +173,7 @@ static void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2
 {
     lit_begin(s);
     for (int k = 0; k < 2; k++) {
-        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(rho[k]), .Le = E[k]});
+        uint16_t m = lit_add_material(s, (material){.kd = rho[k], .ke = E[k]});
         lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, k ? -1 : r}), m);
     }
     lit_end(s);
@@ -326,10 +326,10 @@ static void test_terms_lit(void)
     for (int more = 0; more < 2; more++) {
         lit_scene s;
         lit_cornell_begin(&s);
-        uint16_t shine = lit_add_material(&s, (lit_material){
-            .f = brdf_mirror(vec(0.9, 0.8, 0.7))});
-        uint16_t lamp = lit_add_material(&s, (lit_material){
-            .f = brdf_lambert(vec(0.1, 0.2, 0.3)), .Le = {3, 2, 1}});
+        uint16_t shine = lit_add_material(&s, (material){
+            .mirror = vec(0.9, 0.8, 0.7)});
+        uint16_t lamp = lit_add_material(&s, (material){
+            .kd = vec(0.1, 0.2, 0.3), .ke = {3, 2, 1}});
         if (more) {
             s.background = vec(0.5, 0.25, 1);
             lit_add_rectangle(&s, (rectangle){{100, 1, 50}, {0, 0, 300}, {300, 0, 0}}, shine);
@@ -392,7 +392,7 @@ static void test_notes(void)
     /* no emitter but the background, seen past a grey ball: there it is right */
     lit_begin(&s);
     lit_add_shape(&s, shape_of_sphere((sphere){dark, 0.5}),
-                  lit_add_material(&s, (lit_material){.f = brdf_lambert(half)}));
+                  lit_add_material(&s, (material){.kd = half}));
     lit_end(&s);
     s.background = one, r = second_pair(9, 2);
     check_equal((double)notes_shade(&p, down, &r, &c).x, 0.5, "a convex grey thing under a sky");
@@ -408,12 +408,12 @@ static void hard_scene(lit_scene *s, bool lamps)
     lit_begin(s);
     uint16_t m[6], k = 0;
     vec3 red = {0.8, 0, 0}, grey = {0.6, 0.6, 0.6};
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(red)});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(grey)});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_ggx(grey, 1)});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(vec(0, 0.8, 0))});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(dark)});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(dark), .Le = {1, 2, 3}});
+    m[k++] = lit_add_material(s, (material){.kd = red});
+    m[k++] = lit_add_material(s, (material){.kd = grey});
+    m[k++] = lit_add_material(s, (material){.mirror = grey, .alpha = 1});
+    m[k++] = lit_add_material(s, (material){.kd = vec(0, 0.8, 0)});
+    m[k++] = lit_add_material(s, (material){.kd = dark});
+    m[k++] = lit_add_material(s, (material){.kd = dark, .ke = {1, 2, 3}});
     for (int i = 0; i < 6; i++) lit_add_rectangle(s, furnace_wall(i), m[i % 4]);
     lit_add_shape(s, shape_of_sphere((sphere){{0.4, 0.4, 0.4}, 0.2}), m[4]);
     if (lamps) {
@@ -510,8 +510,8 @@ static void test_shading_normals(void)
     bounce_counts c = {.direct = {0, 0, 0}};
     ray eye = {{0, 1, 0}, 0, {-0.1, -1, 0}, real_infinity};
     lit_begin(&s);
-    uint16_t wall = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.f = brdf_lambert(dark), .Le = one});
+    uint16_t wall = lit_add_material(&s, (material){.kd = white});
+    uint16_t lamp = lit_add_material(&s, (material){.kd = dark, .ke = one});
     lit_add_mesh(&s, &m, wall);
     lit_add_rectangle(&s, (rectangle){{-9, -1, -9}, {0, 0, 18}, {18, 0, 0}}, lamp);
     lit_end(&s);

@@ -78,13 +78,13 @@ static void compare(const char *name, const showcase *c)
 }
 
 /* Over a floor, under a lamp; with a table in the ball. */
-static void glass_ball(showcase *c, lit_material glass, bool table)
+static void glass_ball(showcase *c, material glass, bool table)
 {
     *c = (showcase){.has_sky = false};
     lit_begin(&c->s);
     showcase_floor(&c->s, (vec3){0, 0, 0}, 4, vec(.5, .6, .7));
-    uint16_t lamp = lit_add_material(&c->s, (lit_material){.Le = vec(3, 2, 1)});
-    uint16_t matte = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(vec(.8, .8, .8))});
+    uint16_t lamp = lit_add_material(&c->s, (material){.ke = vec(3, 2, 1)});
+    uint16_t matte = lit_add_material(&c->s, (material){.kd = vec(.8, .8, .8)});
     lit_add_rectangle(&c->s, (rectangle){vec(-1, 4, -1), vec(2, 0, 0), vec(0, 0, 2)}, lamp);
     showcase_ball(&c->s, (vec3){0, 2, 0}, (real)0.7, glass);
     if (table)
@@ -107,23 +107,23 @@ static void test_scenes(void)
     c = (showcase){.has_sky = false};
     lit_begin(&c.s);
     showcase_floor(&c.s, (vec3){0, 0, 0}, 4, vec(.5, .6, .7));
-    uint16_t lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1), .both = true});
-    uint16_t dim = lit_add_material(&c.s, (lit_material){.Le = vec(1, 1, 2)});
+    uint16_t lamp = lit_add_material(&c.s, (material){.ke = vec(3, 2, 1), .both = true});
+    uint16_t dim = lit_add_material(&c.s, (material){.ke = vec(1, 1, 2)});
     lit_add_triangle(&c.s, (triangle){vec(-3, 2, -2), vec(-1, 2, -2), vec(-2, 3, 0)}, lamp);
-    uint16_t rough = lit_add_material(&c.s, (lit_material){.f = brdf_ggx(vec(.9, .9, .9), 1)});
+    uint16_t rough = lit_add_material(&c.s, (material){.mirror = vec(.9, .9, .9), .alpha = 1});
     lit_add_shape(&c.s, shape_of_sphere((sphere){{2, 1, 0}, (real)0.5}), dim);
     lit_add_shape(&c.s, shape_of_sphere((sphere){{-2, 1, -1}, (real)0.9}), rough);
     lit_end(&c.s);
     c.eye = showcase_eye(vec(0, 4, 9), vec(0, 1, 0), 45, 1);
     compare("two lamps", &c);
     showcase_free(&c);
-    lit_material glass = {.ior = (real)1.5, .sigma = vec(.8, .4, .1)};
+    material glass = material_glass((medium){1.5, vec(.8, .4, .1), 0}, 0);
     glass_ball(&c, glass, false);
     compare("a caustic", &c);
     for (size_t i = 0; i < c.s.materials; i++) c.s.material[i].alpha = (real)0.2;
     compare("a rough caustic", &c);
     showcase_free(&c);
-    glass_ball(&c, (lit_material){.ior = (real)1.5}, true);
+    glass_ball(&c, material_glass((medium){.ior = 1.5}, 0), true);
     c.eye = showcase_eye(vec(0, 2.4, .1), vec(0, 2, 0), 70, 1);
     compare("in glass: radiance is squeezed, power is not", &c);
     showcase_free(&c);
@@ -137,7 +137,7 @@ static void test_wide(void)
     showcase c = {.has_sky = false};
     estimate e[3 * blocks] = {{0}}, mean = {0};
     lit_begin(&c.s);
-    uint16_t wall = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
+    uint16_t wall = lit_add_material(&c.s, (material){.ke = vec(3, 2, 1)});
     lit_add_rectangle(&c.s, (rectangle){{-2, -2, -1}, {4, 0, 0}, {0, 4, 0}}, wall);
     lit_end(&c.s);
     c.eye = showcase_eye((vec3){0, 0, 0}, (vec3){0, 0, -1}, 120, 1);

@@ -33,7 +33,7 @@ static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estima
 }
 
 /* A ball of that around the origin, in white light from all sides. */
-static lit_scene ball_of(lit_material m)
+static lit_scene ball_of(material m)
 {
     lit_scene s;
     lit_begin(&s);
@@ -50,7 +50,7 @@ static void test_closed_sphere(void)
     const sequence_kind kinds[] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_SOBOL};
     lit_scene s;
     lit_begin(&s);
-    lit_material m = {.f = brdf_lambert(vec(0.5, 0.25, 0)), .Le = {1, 2, 3}};
+    material m = {.kd = vec(0.5, 0.25, 0), .ke = {1, 2, 3}};
     lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}), lit_add_material(&s, m));
     lit_end(&s);
     const double exact[3] = {2, 2 / 0.75, 3};
@@ -77,9 +77,10 @@ static void test_closed_sphere(void)
 
 typedef enum { FURNACE_DIRECTIONS, FURNACE_LIGHTS, FURNACE_BOTH } furnace_way;
 
-static void furnace_ball(const brdf *b, const environment *sky, real cosine, furnace_way way)
+static void furnace_ball(const material *m, const environment *sky, real cosine, furnace_way way)
 {
-    lit_scene s = ball_of((lit_material){.f = *b});
+    const brdf b = brdf_of(m);
+    lit_scene s = ball_of(*m);
     path_tracer t;
     estimate e[3];
     path_counts c = {0};
@@ -89,11 +90,11 @@ static void furnace_ball(const brdf *b, const environment *sky, real cosine, fur
     path_tracer_of(&s, sky, how, &t);
     real y = sqrt(1 - cosine * cosine);
     along(&t, ray_from((vec3){0, y, 5}, (vec3){0, 0, -1}), check_count(400), 16, e, &c);
-    vec3 a = brdf_albedo(b, cosine);
+    vec3 a = brdf_albedo(&b, cosine);
     for (int k = 0; k < 3; k++)  /* brdf_albedo is right to 3e-3; 2e-6: maps are in float */
         check_at_least(t_test(e[k], (double)vaxis(a, k), 3e-3 + 2e-6), false_alarm,
                        "furnace, kind %d, cos %g, way %d, channel %d: mean %.6g, albedo %.6g",
-                       (int)b->kind, (double)cosine, (int)way, k, e[k].mean, (double)vaxis(a, k));
+                       (int)b.kind, (double)cosine, (int)way, k, e[k].mean, (double)vaxis(a, k));
     if (!sky) check_equal(c.light_draws + c.shadow, 0, "no light, no light samples");
     check_equal(c.dice + c.refractions, 0, "no dice without roulette, no glass");
     path_tracer_free(&t), lit_free(&s);
@@ -102,8 +103,9 @@ static void furnace_ball(const brdf *b, const environment *sky, real cosine, fur
 static void test_furnace(void)
 {
     vec3 c = {0.9, 0.5, 0.1}, d = {0.3, 0.4, 0.5};
-    const brdf b[] = {brdf_lambert(c), brdf_blinn_phong(d, d, 30), brdf_ggx(c, 0.8),
-                      brdf_ggx(c, 0.3), brdf_mirror(c)};
+    const material m[] = {{.kd = c}, {.kd = d, .ks = d, .shine = 30},
+                          {.mirror = c, .alpha = ggx_alpha(0.8)},
+                          {.mirror = c, .alpha = ggx_alpha(0.3)}, {.mirror = c}};
     image white = image_new(16, 8);
     environment sky;
     failure f;
@@ -112,9 +114,9 @@ static void test_furnace(void)
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 2; k++) {
             real cosine = k ? (real)0.9 : (real)0.4;
-            furnace_ball(&b[i], NULL, cosine, FURNACE_BOTH);
+            furnace_ball(&m[i], NULL, cosine, FURNACE_BOTH);
             for (furnace_way way = FURNACE_DIRECTIONS; way <= FURNACE_BOTH; way++)
-                furnace_ball(&b[i], &sky, cosine, way);
+                furnace_ball(&m[i], &sky, cosine, way);
         }
     image_free(&white), environment_free(&sky);
 }
@@ -128,7 +130,8 @@ static void test_leaning_normals(void)
     uint32_t index[] = {0, 1, 2};
     mesh floor = {.v = corner, .vertices = 3, .n = normal, .normals = 3, .index = index,
                   .triangles = 1};
-    const brdf b[] = {brdf_lambert(vec(0.9, 0.9, 0.9)), brdf_ggx(vec(0.9, 0.9, 0.9), 0.7)};
+    const material m[] = {{.kd = vec(0.9, 0.9, 0.9)},
+                          {.mirror = vec(0.9, 0.9, 0.9), .alpha = ggx_alpha(0.7)}};
     for (int o = 0; o < 6; o++) {
         lit_scene s;
         path_tracer t;
@@ -137,9 +140,9 @@ static void test_leaning_normals(void)
         path_options how = path_defaults;
         how.light_sampling = o / 2 > 0, how.mis = o / 2 > 1;
         lit_begin(&s);
-        lit_add_mesh(&s, &floor, lit_add_material(&s, (lit_material){.f = b[o % 2]}));
+        lit_add_mesh(&s, &floor, lit_add_material(&s, m[o % 2]));
         lit_add_rectangle(&s, (rectangle){{-99, -99, -1}, {198, 0, 0}, {0, 198, 0}},
-                          lit_add_material(&s, (lit_material){.Le = {1, 1, 1}}));
+                          lit_add_material(&s, (material){.ke = {1, 1, 1}}));
         lit_end(&s);
         path_tracer_of(&s, NULL, how, &t);
         along(&t, ray_from((vec3){3, 0, 2}, vunit((vec3){-3, 0, -2})), check_count(400), 4, e, &c);
@@ -157,8 +160,9 @@ static void test_glass(void)
         path_tracer t;
         estimate e[3];
         path_counts c = {0};
-        lit_material m = {.ior = k == 1 ? (real)0.7 : (real)1.5, .sigma = {0, 0, 0}};
-        if (k == 2) m.sigma = (vec3){1, 2, 0};
+        material m = material_glass((medium){.ior = k == 1 ? (real)0.7 : (real)1.5}, 0);
+        if (k == 2) m.inside.absorb = (vec3){1, 2, 0};
+        if (k == 2) m.mirror = vec(1, 0.5, 1), m.through = vec(0.9, 1, 1);
         lit_scene s = ball_of(m);
         path_tracer_of(&s, NULL, path_defaults, &t);
         along(&t, ray_from(vec(0, 0.6, 5), (vec3){0, 0, -1}), check_count(500), 16, e, &c);
@@ -168,14 +172,15 @@ static void test_glass(void)
         check_equal(c.light_draws, 0, "no light sample on glass");
         if (k < 2) {  /* from its middle no ray is reflected totally: L is squeezed into n^2 */
             along(&t, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), check_count(500), 16, e, &c);
-            check_at_least(t_test(e[0], (double)(m.ior * m.ior), 1e-6), false_alarm,
-                           "from within, n = %g: %.9g", (double)m.ior, e[0].mean);
+            check_at_least(t_test(e[0], (double)(m.inside.ior * m.inside.ior), 1e-6), false_alarm,
+                           "from within, n = %g: %.9g", (double)m.inside.ior, e[0].mean);
         }
         if (k == 2) {  /* head on: 1 - F goes in, 2 long, F inside back ...: a geometric series */
             along(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), check_count(2000), 16, e, &c);
             for (int ch = 0; ch < 3; ch++) {
-                double F = 0.04, a = exp(-2 * (double)vaxis(m.sigma, ch));
-                double exact = F + (1 - F) * (1 - F) * a / (1 - F * a);
+                double a = exp(-2 * (double)vaxis(m.inside.absorb, ch));
+                double R = 0.04 * (double)vaxis(m.mirror, ch);
+                double T = 0.96 * (double)vaxis(m.through, ch), exact = R + T * T * a / (1 - R * a);
                 check_at_least(t_test(e[ch], exact, 1e-6), false_alarm, "absorbed: %.6g, not %.6g",
                                e[ch].mean, exact);
             }
@@ -191,7 +196,7 @@ static void test_rough_glass(void)
     static const double alphas[4] = {0.5, 0.2, 0.05, 1e-3};
     double before = 0;
     for (int k = 0; k < 4; k++) {
-        lit_scene s = ball_of((lit_material){.ior = 1.5, .alpha = (real)alphas[k]});
+        lit_scene s = ball_of(material_glass((medium){.ior = 1.5}, (real)alphas[k]));
         path_tracer t;
         estimate e[3];
         path_counts c = {0};
@@ -260,12 +265,11 @@ static void test_naive(void)
 static void crowded(lit_scene *s)
 {
     lit_cornell_begin(s);
-    lit_material gloss = {.f = brdf_ggx(vec(0.9, 0.7, 0.4), 0.4)};
-    lit_material lamp = {.f = brdf_lambert(vec(0.5, 0.5, 0.5)),
-                         .Le = {3, 4, 5}};
+    material gloss = {.mirror = vec(0.9, 0.7, 0.4), .alpha = ggx_alpha(0.4)};
+    material lamp = {.kd = vec(0.5, 0.5, 0.5), .ke = {3, 4, 5}};
     lit_add_shape(s, shape_of_sphere((sphere){{420, 80, 150}, 80}), lit_add_material(s, gloss));
     lit_add_shape(s, shape_of_sphere((sphere){{100, 400, 300}, 60}), lit_add_material(s, lamp));
-    lit_material ball = {.ior = 1.5, .sigma = {0.001, 0, 0.002}};
+    material ball = material_glass((medium){1.5, vec(0.001, 0, 0.002), 0}, 0);
     lit_add_shape(s, shape_of_sphere((sphere){{180, 235, 160}, 70}), lit_add_material(s, ball));
     s->background = vec(0.2, 0.3, 0.4);
     lit_end(s);
@@ -360,9 +364,9 @@ static void test_in_glass(void)
     estimate e[3][3];
     lit_begin(&s);
     vec3 take = {(real)0.2, (real)0.4, 0}, to = {(real)0.5, -1, (real)(-0.5)};
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(1, 1, 1)});
-    uint16_t ball = lit_add_material(&s, (lit_material){.ior = 1, .sigma = take});
+    uint16_t grey = lit_add_material(&s, (material){.kd = vec(.5, .5, .5)});
+    uint16_t lamp = lit_add_material(&s, (material){.ke = vec(1, 1, 1)});
+    uint16_t ball = lit_add_material(&s, material_glass((medium){1, take, 0}, 0));
     lit_add_rectangle(&s, (rectangle){vec(-1, -1, 1), vec(2, 0, 0), vec(0, 0, -2)}, grey);
     lit_add_rectangle(&s, (rectangle){vec(-1, 1, -1), vec(2, 0, 0), vec(0, 0, 2)}, lamp);
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 3}), ball);
@@ -382,8 +386,8 @@ static void test_sides(void)
         vec3 a = {2, 0, 0}, b = {0, 0, 2}, p = vec(.2, -1, .1);
         rectangle down = {vec(-1, 1, -1), a, b}, up = {down.o, b, a};
         lit_begin(&s);
-        uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
-        uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(1, 2, 3), .both = both});
+        uint16_t grey = lit_add_material(&s, (material){.kd = vec(.5, .5, .5)});
+        uint16_t lamp = lit_add_material(&s, (material){.ke = vec(1, 2, 3), .both = both});
         lit_add_rectangle(&s, (rectangle){vec(-4, -1, 4), vec(8, 0, 0), vec(0, 0, -8)}, grey);
         lit_add_rectangle(&s, front ? down : up, lamp);
         lit_end(&s);
@@ -416,10 +420,10 @@ static void test_rough_lit(void)
     estimate e[3][3];
     environment_sky(16, 8, (vec3){0, 1, 0}, &sky);
     lit_begin(&s);
-    lit_material rough = {.ior = 1.5, .alpha = (real)0.3, .sigma = vec(0.1, 0.5, 1)};
+    material rough = material_glass((medium){1.5, vec(0.1, 0.5, 1), 0}, (real)0.3);
     uint16_t glass = lit_add_material(&s, rough);
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(30, 20, 10)});
-    uint16_t bulb = lit_add_material(&s, (lit_material){.Le = vec(9, 9, 9)});
+    uint16_t lamp = lit_add_material(&s, (material){.ke = vec(30, 20, 10)});
+    uint16_t bulb = lit_add_material(&s, (material){.ke = vec(9, 9, 9)});
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), glass);
     lit_add_shape(&s, shape_of_sphere((sphere){{(real)0.4, (real)0.2, 0}, (real)0.1}), bulb);
     lit_add_shape(&s, shape_of_sphere((sphere){{3, 0, 1}, (real)0.5}), lamp);
@@ -437,8 +441,8 @@ static void test_rough_noise(void)
     double square[2] = {0, 0};
     lit_scene s;
     lit_begin(&s);
-    uint16_t glass = lit_add_material(&s, (lit_material){.ior = 1.5, .alpha = (real)0.3});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(30, 20, 10)});
+    uint16_t glass = lit_add_material(&s, material_glass((medium){.ior = 1.5}, (real)0.3));
+    uint16_t lamp = lit_add_material(&s, (material){.ke = vec(30, 20, 10)});
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), glass);
     lit_add_rectangle(&s, (rectangle){vec(-1, 3, -1), vec(0.5, 0, 0), vec(0, 0, 0.5)}, lamp);
     lit_end(&s);
@@ -471,9 +475,9 @@ static void test_rough_point(void)
     real d = real_is_float ? 0x1p-12 : 0x1p-26, Le = 10 / (d * d * 2 / sqrt((real)5));
     lit_begin(&s);
     lit_add_rectangle(&s, (rectangle){{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}},
-                      lit_add_material(&s, (lit_material){.ior = g.n2, .alpha = g.alpha}));
+                      lit_add_material(&s, material_glass((medium){.ior = g.n2}, g.alpha)));
     lit_add_rectangle(&s, (rectangle){{1 - d / 2, -d / 2, 2}, {0, d, 0}, {d, 0, 0}},
-                      lit_add_material(&s, (lit_material){.Le = vec(Le, Le, Le)}));
+                      lit_add_material(&s, (material){.ke = vec(Le, Le, Le)}));
     lit_end(&s);
     path_tracer_of(&s, NULL, path_defaults, &t);
     for (int below = 0; below < 2; below++) {
@@ -498,7 +502,7 @@ static void test_no_light(void)
     path_tracer t;
     path_counts c = {0};
     lit_begin(&s);
-    uint16_t white = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(1, 1, 1))});
+    uint16_t white = lit_add_material(&s, (material){.kd = vec(1, 1, 1)});
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, -3}), white);
     lit_end(&s);
     path_options how = path_defaults;
@@ -542,7 +546,7 @@ static void test_choice_of_light(void)
     environment_sky(16, 8, (vec3){0, 1, 0}, &sky);
     lit_begin(&s);
     for (int i = 0; i < 3; i++) {
-        lit_material m = {.Le = {1, 1, (real)(1 + 2 * i)}};
+        material m = {.ke = {1, 1, (real)(1 + 2 * i)}};
         lit_add_shape(&s, shape_of_sphere((sphere){{(real)(3 * i), 0, 0}, 1}),
                       lit_add_material(&s, m));
     }

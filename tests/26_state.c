@@ -341,12 +341,12 @@ static void test_materials(void)
     put("m.obj", MODEL), put("a.mtl", RED), put("b.mtl", OTHERS);
     if (!showcase_of_obj(in_directory("m.obj"), false, 1, &c, &f)) fail(f);
     for (size_t i = 0; i < 6; i++) {
-        const lit_material *m = &c.s.material[c.s.of_triangle[i]];
-        vec3 wo = {0, 0, 1}, value = brdf_value_local(&m->f, wo, wo);
+        const material *m = &c.s.material[c.s.of_triangle[i]];
+        vec3 wo = {0, 0, 1}, value = brdf_value_local(&c.s.f[m - c.s.material], wo, wo);
         for (int k = 0; k < 3; k++)
             check_close((double)vaxis(value, k), is[i].kd[k] / (double)pi, 4 * real_epsilon,
                         "triangle %zu, Kd %d", i, k);
-        check_equal((double)m->Le.x, is[i].ke, "triangle %zu: Ke", i);
+        check_equal((double)m->ke.x, is[i].ke, "triangle %zu: Ke", i);
         check((c.s.emitter_of[i] != lit_dark) == (is[i].ke > 0), "a light, if it shines");
     }
     check(c.s.emitters == 1 && fabs(c.s.emitter->area - 1) <= 4 * real_epsilon,

@@ -28,7 +28,7 @@ static appearance look_of(const char *keys)
 {
     studio s;
     char text[400];
-    appearance a = {.ior = -1};
+    appearance a = {.excess = -1};
     snprintf(text, sizeof text, "material m\n%s\n", keys);
     if (!read_text(text, &s)) return a;
     a = appearance_of(&s.material[1]);
@@ -70,19 +70,24 @@ static void test_appearance(void)
             {"Ke 3\nKd .5\nillum 1", 0, .5, 0, 0, 0, 0}};
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         appearance a = look_of(row[i].keys);
-        check(grey(a.flat, row[i].flat) && grey(a.matte, row[i].matte)
-              && grey(a.highlight, row[i].highlight) && grey(a.mirror, row[i].mirror)
-              && grey(a.glossy, row[i].glossy) && grey(a.through, row[i].through),
-              "'%s': flat %g matte %g highlight %g mirror %g glossy %g through %g", row[i].keys,
-              (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
-              (double)a.glossy.x, (double)a.through.x);
+        check(grey(a.flat, row[i].flat) && grey(a.m.kd, row[i].matte)
+              && grey(a.m.ks, a.glossy ? row[i].glossy : row[i].highlight)
+              && grey(a.m.mirror, row[i].mirror) && grey(a.m.through, row[i].through),
+              "'%s': flat %g matte %g %s %g mirror %g through %g", row[i].keys,
+              (double)a.flat.x, (double)a.m.kd.x, a.glossy ? "glossy" : "highlight",
+              (double)a.m.ks.x, (double)a.m.mirror.x, (double)a.m.through.x);
+        check(a.glossy || row[i].glossy == 0, "'%s': reflects all that is around", row[i].keys);
     }
-    check(look_of("illum 7\nNi 2\nroughness .5").rough == (real)0.25, "alpha, of roughness");
+    check(look_of("illum 7\nNi 2\nroughness .5").m.alpha == (real)0.25, "alpha, of roughness");
     check(look_of("Ks .5\nillum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
     check(!look_of("Ks 1\nillum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
     check(!look_of("Ks 0\nillum 5").fresnel, "black reflects nothing, at no angle");
-    check(look_of("illum 6\nNi 1.5").bends && !look_of("illum 6").bends
-          && !look_of("illum 4\nNi 1.5\nd .5").bends, "bent by Ni in 6 and 7 only");
+    appearance bent = look_of("illum 6\nNi 1.5"), clear = look_of("illum 6");
+    appearance sheet = look_of("illum 4\nNi 1.5\nd .5"), shut = look_of("illum 7\nNi 2\nTf 0");
+    check(appearance_bends(&bent) && !appearance_bends(&clear) && !appearance_bends(&sheet),
+          "bent by Ni in 6 and 7 only");
+    check(appearance_body(&clear) && !appearance_body(&sheet) && !appearance_body(&shut),
+          "a body: 6 and 7, if they let light through");
 }
 
 /* What a surface of this look gives back of an even light around it, by its own lobes: (23.4). The
@@ -90,12 +95,12 @@ static void test_appearance(void)
 static double furnace(const appearance *a, double cosine)
 {
     vec3 f = {1, 1, 1}, albedo = brdf_albedo(&a->lobe, (real)cosine);
-    vec3 back = vadd(vmul(a->glossy, albedo), a->mirror), rest = vadd(a->matte, a->through);
-    back = vmax(back, vmul(a->highlight, albedo));  /* what mirrors has it for points alone */
-    if (a->fresnel && vzero(a->through)) {
-        vec3 F0 = vzero(a->mirror) ? a->glossy : a->mirror;
-        f = fresnel_schlick(F0, (real)cosine);
-        back = vzero(a->mirror) ? vmul(f, albedo) : f;
+    const material *m = &a->m;
+    vec3 back = vmax(vmul(m->ks, albedo), m->mirror);  /* what mirrors has ks for points alone */
+    vec3 rest = vadd(m->kd, m->through);
+    if (a->fresnel && vzero(m->through)) {
+        f = fresnel_schlick(a->glossy ? m->ks : m->mirror, (real)cosine);
+        back = a->glossy ? vmul(f, albedo) : f;
         rest = vmul(rest, vrest(f));
     } else if (a->fresnel) {  /* of glass: R of the one, 1 - R of the other */
         return (double)real_max(vlargest(back), vlargest(rest));
@@ -121,11 +126,11 @@ static void test_energy(void)
             check_at_most(furnace(&a, k ? 1 : (double)random_next(&rng)),
                           1 + 2e-4 + 20 * (double)real_epsilon, "illum %d, Ns %g: energy", m.illum,
                           (double)m.ns);
-        bool ok = vfinite(a.matte) && a.matte.x >= 0 && a.through.x >= 0;
+        bool ok = vfinite(a.m.kd) && a.m.kd.x >= 0 && a.m.through.x >= 0;
         if (!ok) check(false, "illum %d: not finite or below 0", m.illum);
     }
     appearance a = look_of("Kd .75 .5 0\nKs .75\nNs 9\nillum 2");
-    check(a.excess == (real)1.5 && a.matte.x == (real)0.5 && a.highlight.z == (real)0.5,
+    check(a.excess == (real)1.5 && a.m.kd.x == (real)0.5 && a.m.ks.z == (real)0.5,
           "1.5 times too much: all divided by it");
 }
 

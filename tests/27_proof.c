@@ -454,7 +454,7 @@ static bool looks_at_first_material(const plan_facts *q, cite *line)
 {
     (void)line;
     for (uint32_t m = 0; m < q->s->materials; m++)
-        if (q->s->material[m].used) return vzero(q->look[m].mirror);
+        if (q->s->material[m].used) return vzero(q->look[m].m.mirror);
     return true;
 }
 
@@ -462,7 +462,7 @@ static bool forgets_rough_glass(const plan_facts *q, cite *line)
 {
     (void)line;
     for (uint32_t m = 0; m < q->s->materials; m++)
-        if (q->s->material[m].used && !vzero(q->look[m].glossy)) return false;
+        if (q->s->material[m].used && q->look[m].glossy && !vzero(q->look[m].m.ks)) return false;
     return true;
 }
 

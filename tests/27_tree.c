@@ -461,9 +461,9 @@ static void test_owed(void)
     check(finish_is_parallelogram(&g), "a rectangle but for roundings: one lamp");
     vec3 p = {1 - 18 * eps, 0, 0};  /* 16 eps r + 4 eps |p| = 20 eps */
     check(!lamps_within((sphere){{0, 0, 0}, 1}, p, (vec3){1, 0, 0}), "on it: the normal says");
-    appearance a = {.matte = {0.5, 0.5, 0.5}, .mirror = {(real)0.5 + 8 * eps, 0.5, 0.5}};
+    appearance a = {.m = {.kd = {0.5, 0.5, 0.5}, .mirror = {(real)0.5 + 8 * eps, 0.5, 0.5}}};
     appearance_limit(&a);
-    check_equal(a.matte.y, (real)0.5, "1 + 8 eps: no more than it gets");
+    check_equal(a.m.kd.y, (real)0.5, "1 + 8 eps: no more than it gets");
 }
 
 /* ---- what a ray is known not to meet ---- */

@@ -39,7 +39,7 @@ static inline any_hit_answer contact_any(const tracer *t, ray r, trace_hit x, vo
 {
     const whitted *w = t->user;
     contact_notes *notes = payload;
-    whitted_material room;
+    whitted_look room;
     if (x.h.shape == notes->shape && x.part == notes->part) return ANY_HIT_IGNORE;
     surface s = surface_of_trace(t, r, x);
     uint32_t body = w->material_of(w->context, x, &s, &room)->body;
@@ -51,8 +51,7 @@ static inline any_hit_answer contact_any(const tracer *t, ray r, trace_hit x, vo
 }
 
 static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
-                                const whitted_material **m, whitted_material *room,
-                                media_crossing *c)
+                                const whitted_look **m, whitted_look *room, media_crossing *c)
 {
     const whitted *w = t->user;
     real reach = 2 * (s->error + s->noise) + w->touch;

@@ -44,14 +44,8 @@
 #ifndef WHITTED_MEDIA_H
 #define WHITTED_MEDIA_H
 
-#include "../../common/vec3.h"
+#include "../18_shade/material.h"
 #include <stdint.h>
-
-typedef struct {
-    real ior;       /* refractive index (折射率) > 0 */
-    vec3 absorb;    /* sigma of (19.9), per unit length */
-    int priority;
-} medium;
 
 enum { media_most = 7, media_most_faces = 8 };
 typedef struct { uint32_t n, body[media_most]; } media_set;  /* in the order of entering */

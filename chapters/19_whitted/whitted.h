@@ -60,14 +60,15 @@ static inline void whitted_go_on(const whitted_branch *b, const whitted_place *p
 static inline int whitted_children(const whitted *w, const whitted_branch *b,
                                    const whitted_place *p, whitted_branch child[2])
 {
-    vec3 d = b->r.d, up = p->s.n, down = vneg(up), M = p->m->mirror;
+    const material *m = &p->m->base;
+    vec3 d = b->r.d, up = p->s.n, down = vneg(up), M = m->mirror;
     int n = 0;
     if (b->depth >= w->depth || b->depth >= whitted_most_depth) return 0;
     if (p->m->body) {                                            /* glass: Fresnel shares it out */
         snell x;
         bool bends = snell_of(d, p->s.ns, w->media[p->inside].ior, w->media[p->beyond].ior, &x);
         real R = fresnel(&x);
-        M = vscale(M, R), child->share = vscale(p->m->through, 1 - R);
+        M = vscale(M, R), child->share = vscale(m->through, 1 - R);
         if (bends && whitted_counts(w, b, p, child)) {
             whitted_go_on(b, p, RAY_REFRACTION, snell_refract(&x, d, p->s.ns), down, child);
             child[n++].in = p->after;

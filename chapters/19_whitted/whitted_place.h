@@ -35,8 +35,8 @@ typedef struct {
 
 typedef struct {
     surface s;                  /* faces the ray */
-    const whitted_material *m;  /* perhaps `room` */
-    whitted_material room;
+    const whitted_look *m;  /* perhaps `room` */
+    whitted_look room;
     uint32_t inside, beyond;    /* bodies that fill the place before and behind */
     media_set after;            /* of glass: what is refracted is in there */
     real more;                  /* contact.h */
@@ -49,7 +49,7 @@ typedef struct {
 static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
 {
     const whitted *w = t->user;
-    whitted_material room;
+    whitted_look room;
     surface s = surface_of_trace(t, r, x);
     *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
     return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;

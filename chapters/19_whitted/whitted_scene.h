@@ -17,12 +17,10 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
-    material base;    /* what lights and sky do on it: 18 */
-    vec3 mirror;      /* M: opaque: what is reflected; glass: a factor of R */
-    vec3 through;     /* kt: glass: a factor of 1 - R. Black: no refraction */
+    material base;    /* of it `mirror` is M, `through` kt; black: no refraction */
     uint32_t body;    /* glass: the body that it bounds [1..]; opaque: 0 */
     real shadow;      /* part of the light that shadow rays keep at each shape of it [0, 1] */
-} whitted_material;
+} whitted_look;
 
 /* Is told of each ray: its parent's number (-1: the eye ray), what it is worth, and t of its hit,
  * infinity if none. Of a shadow ray: where it ends, and how much of the light arrives. Returns the
@@ -37,8 +35,8 @@ typedef struct {
     const light *lights;
     int n;
     /* May fill *room and return it, or return what it has. */
-    const whitted_material *(*material_of)(const void *context, trace_hit x, const surface *s,
-                                           whitted_material *room);
+    const whitted_look *(*material_of)(const void *context, trace_hit x, const surface *s,
+                                       whitted_look *room);
     const void *context;
     const medium *media;  /* media.h; [0]: around everything */
     vec3 background, ambient;

@@ -11,6 +11,8 @@
  *   brdf b = brdf_ggx(f0, roughness);                       microfacet.h, alpha = roughness^2
  *   brdf b = brdf_mirror(f0);                               the limit of roughness 0
  *   Colours in [0,1]; roughness is clamped to [0,1], exponent to [0, 1/epsilon].
+ *   brdf b = brdf_of(&m);               of a material (18): its mirror, F0, in facets as wide as
+ *                                       alpha, if it is not black; else kd and ks. Glass: black
  *
  *   call (world directions)                    result
  *   brdf_value(&b, n, wi, wo)                  f, 1/sr; a density, no fraction: it may exceed 1
@@ -32,6 +34,7 @@
 #ifndef BRDF_H
 #define BRDF_H
 
+#include "../18_shade/material.h"
 #include "blinn_phong.h"
 #include "microfacet.h"
 #include "shading_frame.h"
@@ -59,11 +62,15 @@ static inline brdf brdf_mirror(vec3 f0)
     return (brdf){.kind = vzero(f0) ? BRDF_BLACK : BRDF_MIRROR, .specular = f0};
 }
 
+static inline brdf brdf_facets(vec3 f0, real alpha)
+{
+    if (!(alpha >= ggx_least_alpha)) return brdf_mirror(f0);
+    return (brdf){.kind = vzero(f0) ? BRDF_BLACK : BRDF_GGX, .specular = f0, .alpha = alpha};
+}
+
 static inline brdf brdf_ggx(vec3 f0, real roughness)
 {
-    real r = real_clamp(roughness, 0, 1);
-    if (!(r * r >= ggx_least_alpha)) return brdf_mirror(f0);
-    return (brdf){.kind = vzero(f0) ? BRDF_BLACK : BRDF_GGX, .specular = f0, .alpha = r * r};
+    return brdf_facets(f0, ggx_alpha(roughness));
 }
 
 /* Without a highlight: its matte ground alone, of which none is sampled or computed in vain. */
@@ -74,6 +81,13 @@ static inline brdf brdf_blinn_phong(vec3 diffuse, vec3 specular, real exponent)
     if (!(s > 0)) return brdf_lambert(diffuse);
     return (brdf){.kind = BRDF_BLINN_PHONG, .diffuse = diffuse, .specular = specular,
                   .exponent = e, .scale = blinn_phong_scale(e), .chance = s / (s + d)};
+}
+
+static inline brdf brdf_of(const material *m)
+{
+    if (m->inside.ior > 0) return (brdf){.kind = BRDF_BLACK};
+    return vzero(m->mirror) ? brdf_blinn_phong(m->kd, m->ks, m->shine)
+                            : brdf_facets(m->mirror, m->alpha);
 }
 
 static inline bool brdf_is_delta(const brdf *b) { return b->kind == BRDF_MIRROR; }

@@ -19,6 +19,7 @@
  * formula alone would still give 1 at grazing angles.
  *
  *   call                       result                               domain
+ *   ggx_alpha(roughness)       its square, in [0, 1]                any roughness
  *   ggx_d(a, m)                D, 1/sr; 0 for z <= 0                a >= ggx_least_alpha
  *   ggx_s(a, w)                S                                    the same
  *   ggx_g1, ggx_g2             0 .. 1                               z > 0
@@ -43,6 +44,12 @@
 #define ggx_least_alpha sqrt(real_epsilon)  /* 1.5e-8, or 3.5e-4 in float */
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline real ggx_alpha(real roughness)
+{
+    real r = real_clamp(roughness, 0, 1);
+    return r * r;
+}
 
 fast_inline vec3 fresnel_schlick(vec3 f0, real c)
 {

@@ -78,7 +78,7 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
                                point2 u)
 {
     const vec3 none = {0, 0, 0};
-    const brdf *b = &x->h->m->f;
+    const brdf *b = x->h->f;
     lit_points points = d->way == DIRECT_AREA ? POINTS_BY_AREA : POINTS_BY_ANGLE;
     lit_draw y = {.emitter = (uint32_t)k};
     if (!lit_draw_of(&d->lights->emitter[k], points, chance, x->h->s.p, u, &y)) return none;
@@ -100,7 +100,7 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
 {
     vec3 w = {0, 0, 1}, wi = x->h->s.n, weight = {0, 0, 0};
     bool both = direct_both(d->way);
-    const brdf *b = &x->h->m->f;
+    const brdf *b = x->h->f;
     real pdf = 0, share = 1;
     if (both) {
         if (brdf_sample_local(b, x->wo, u.u, u.v, &w, &pdf, &weight)) wi = to_world(x->frame, w);
@@ -123,7 +123,7 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
 static inline vec3 direct_by_lights(const direct *d, const direct_point *x, sampler *s)
 {
     vec3 sum = {0, 0, 0};
-    if (brdf_is_delta(&x->h->m->f) && !d->spend_all) return sum;
+    if (brdf_is_delta(x->h->f) && !d->spend_all) return sum;
     if (d->lights->rule != LIGHTS_ALL) {
         real chance, rest;
         real u = d->s->emitters > 1 ? sampler_number(s) : 0;
@@ -139,7 +139,7 @@ static inline vec3 direct_by_lights(const direct *d, const direct_point *x, samp
 static inline vec3 direct_light(const direct *d, const lit_hit *h, vec3 wo, sampler *s)
 {
     vec3 sum = {0, 0, 0};
-    const brdf *b = &h->m->f;
+    const brdf *b = h->f;
     bool dark = d->s->emitters == 0 && vzero(d->s->background);
     d->work->samples++;
     if ((dark || brdf_is_black(b)) && !d->spend_all) return sum;

@@ -2,7 +2,7 @@
  *
  *   lit_scene s;
  *   lit_begin(&s);
- *   uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){.5, .5, .5})});
+ *   uint16_t grey = lit_add_material(&s, (material){.kd = {.5, .5, .5}});
  *   lit_add_rectangle(&s, (rectangle){o, s, t}, lamp);     front: s x t; if it shines, one emitter
  *   lit_add_triangle(&s, t, grey), lit_add_mesh(&s, &m, grey), lit_add_shape(&s, shape, grey);
  *   lit_end(&s);                                           its world and tables; then use it
@@ -13,15 +13,15 @@
  *                             leave_between made: from triangle i [no_shape: none], to emitter e
  *                             [lit_dark: none]; so is lit_trace_from(&s, r, i, &h), and still
  *                             sooner lit_trace_at(&s, &r, i, &h): r in memory, and it ends there
- *   lit_emitted(&h)           radiance towards the origin of r: Le, or 0 where h.shines is false
+ *   lit_emitted(&h)           radiance towards the origin of r: ke, or 0 where h.shines is false
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
- * (18.5), (18.6), (18.9) of triangles, lights. lit_trace of a triangle is a search, then two
+ * (18.5), (18.6), (18.9) of triangles, BRDFs, lights. lit_trace of a triangle is a search, then two
  * products and a sum a coordinate: the same bits as surface_of_mesh.
  *
  * Everything added is copied, but for the corners of polygons, which must outlive the scene.
  * Emitters: one per shining triangle, rectangle, sphere of area > 0: in the order of adding, then
- * the spheres. Nothing else can shine; Le of a cone or polygon is ignored. At equal t a triangle
+ * the spheres. Nothing else can shine; ke of a cone or polygon is ignored. At equal t a triangle
  * wins against a shape, else the lower index. At most 65535 materials; no memory, or more: the
  * program ends.
  */
@@ -32,15 +32,6 @@
 #include "../18_shade/world.h"
 #include "../23_brdf/brdf.h"
 #include "emitter.h"
-
-typedef struct {
-    brdf f;         /* reflection, on both sides; brdf_is_black: none */
-    vec3 Le;        /* radiance of the front [W/(m^2 sr)]; 0: none */
-    real ior;       /* > 0: dielectric between inside (behind n) and outside; f is unused */
-    real alpha;     /* of it: 0 smooth, else its facets (23.6) */
-    vec3 sigma;     /* absorption inside, per unit of length */
-    bool both;      /* what is flat shines from its back, too */
-} lit_material;
 
 /* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
 typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
@@ -54,7 +45,8 @@ typedef struct {
     shape *shape;             /* [shapes] anything of 07; of these only spheres shine */
     size_t shapes;
     uint16_t *of_shape;       /* [shapes] */
-    lit_material *material;
+    material *material;
+    brdf *f;                  /* [materials] brdf_of it: how it reflects, on both sides */
     size_t materials;
     emitter *emitter;
     size_t emitters;
@@ -72,7 +64,8 @@ typedef struct {
 
 typedef struct {
     surface s;                /* faces the ray: s.n.d <= 0 */
-    const lit_material *m;
+    const material *m;
+    const brdf *f;            /* of m */
     uint32_t emitter;         /* or lit_dark */
     real t;
     bool front;               /* n.d < 0 before it was turned */
@@ -85,7 +78,7 @@ typedef struct {
 
 static inline void lit_begin(lit_scene *s) { *s = (lit_scene){.background = {0, 0, 0}}; }
 
-static inline uint16_t lit_add_material(lit_scene *s, lit_material m)
+static inline uint16_t lit_add_material(lit_scene *s, material m)
 {
     if (s->materials >= UINT16_MAX) die(2, "more than 65535 materials");
     s->material = grown(s->material, s->materials, &s->room.materials, sizeof m);
@@ -133,7 +126,7 @@ static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t look)
     s->m.v[v] = t.a, s->m.v[v + 1] = t.b, s->m.v[v + 2] = t.c;
     s->m.vertices += 3;
     lit_join(s, v, v + 1, v + 2, look,
-             lit_emitter(s, look, emitter_of_triangle(t, s->material[look].Le)));
+             lit_emitter(s, look, emitter_of_triangle(t, s->material[look].ke)));
 }
 
 static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
@@ -144,7 +137,7 @@ static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
     s->m.v[v] = r.o, s->m.v[v + 1] = b, s->m.v[v + 2] = vadd(b, r.t);
     s->m.v[v + 3] = vadd(r.o, r.t);
     s->m.vertices += 4;
-    uint32_t e = lit_emitter(s, look, emitter_of_rectangle(r, s->material[look].Le));
+    uint32_t e = lit_emitter(s, look, emitter_of_rectangle(r, s->material[look].ke));
     lit_join(s, v, v + 1, v + 2, look, e);
     lit_join(s, v, v + 2, v + 3, look, e);
 }
@@ -162,7 +155,7 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
     }
     for (size_t i = 0; i < from->triangles; i++) {
         const uint32_t *k = from->index + 3 * i;
-        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[look].Le);
+        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[look].ke);
         lit_join(s, v + k[0], v + k[1], v + k[2], look, lit_emitter(s, look, e));
         if (!from->n) continue;
         const uint32_t *of = (from->normal_index ? from->normal_index : from->index) + 3 * i;
@@ -194,13 +187,15 @@ static inline void lit_end(lit_scene *s)
     size_t n = s->m.triangles;
     s->face = allocate(n, sizeof *s->face);
     for (size_t i = 0; i < n; i++) s->face[i] = lit_face_of(mesh_triangle(&s->m, i));
+    s->f = allocate(s->materials, sizeof *s->f);
+    for (size_t i = 0; i < s->materials; i++) s->f[i] = brdf_of(&s->material[i]);
     s->emitter_of = grown_by(s->emitter_of, n, s->shapes, &s->room.emitter_of,
                              sizeof *s->emitter_of);
     for (size_t i = 0; i < s->shapes; i++) {
         uint16_t look = s->of_shape[i];
-        vec3 Le = s->material[look].Le;
+        vec3 ke = s->material[look].ke;
         s->emitter_of[n + i] = s->shape[i].kind != SHAPE_SPHERE ? lit_dark
-            : lit_emitter(s, look, emitter_of_sphere(s->shape[i].sphere, Le));
+            : lit_emitter(s, look, emitter_of_sphere(s->shape[i].sphere, ke));
     }
     s->skip = allocate(s->emitters, sizeof *s->skip);
     for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;
@@ -223,6 +218,7 @@ static inline void lit_free(lit_scene *s)
     for (int k = 0; s->parts && k < 2; k++) world_part_free(&s->parts->part[k]);
     free(s->parts), free(s->skip);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
+    free(s->f);
     free(s->emitter), free(s->emitter_of), free(s->face);
     lit_begin(s);
 }
@@ -246,7 +242,7 @@ fast_inline void lit_found(const lit_scene *s, vec3 d, surface x, size_t place, 
     real side = vdot(x.n, d), turn = side > 0 ? -1 : 1;
     out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
     out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
-    out->m = &s->material[look], out->emitter = s->emitter_of[place];
+    out->m = &s->material[look], out->f = &s->f[look], out->emitter = s->emitter_of[place];
     out->t = t, out->front = side < 0;
     out->shines = out->emitter != lit_dark && (side < 0 || s->emitter[out->emitter].both);
 }
@@ -287,7 +283,7 @@ static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, u
 
 static inline vec3 lit_emitted(const lit_hit *h)
 {
-    return h->shines ? h->m->Le : (vec3){0, 0, 0};
+    return h->shines ? h->m->ke : (vec3){0, 0, 0};
 }
 
 #endif

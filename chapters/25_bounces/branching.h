@@ -65,7 +65,7 @@ static inline void branching_node(const branching *w, ray r, vec3 through, int k
     *L = vadd(*L, brought);
     if (w->see) w->see(w->user, r, k, &x, brought);
     if (!met || k == p->depth || k == branching_most) return;
-    w->counts->black += naive_black(x.m);
+    w->counts->black += naive_black(&x);
     vec3 wo = vneg(k ? r.d : vunit(r.d));
     for (uint64_t c = 1; c <= (uint64_t)w->N; c++) {
         uint64_t i = node * (uint64_t)w->N + c;

@@ -54,7 +54,7 @@ typedef struct { size_t rays[naive_depths], escaped, black; } naive_counts;
 
 static inline bool naive_dark(const lit_scene *s) { return !s->emitters && vzero(s->background); }
 
-static inline bool naive_black(const lit_material *m) { return m->ior > 0 || brdf_is_black(&m->f); }
+static inline bool naive_black(const lit_hit *x) { return brdf_is_black(x->f); }
 
 static inline size_t naive_rays(const naive_counts *c)
 {
@@ -91,8 +91,8 @@ fast_inline bool naive_direction(const naive_path *p, const lit_hit *x, vec3 wo,
 {
     vec3 wi;
     shading_frame f = shading_frame_of(x->s.ns);
-    bool some = !naive_black(x->m)
-             && reflection_direction(p->choice, &x->m->f, f, to_local(f, wo), u, &wi, weight)
+    bool some = !naive_black(x)
+             && reflection_direction(p->choice, x->f, f, to_local(f, wo), u, &wi, weight)
              && vdot(x->s.n, wi) > 0;
     if (!some) {
         if (!p->spend_all) return false;
@@ -115,7 +115,7 @@ static inline vec3 naive_terms(const naive_path *p, ray r, sampler *s, vec3 *ter
         L = vadd(L, brought);
         if (term) term[k] = brought;
         if (!met || k == p->depth) return L;
-        bool black = naive_black(x.m);
+        bool black = naive_black(&x);
         c->black += black;
         if (black && !p->spend_all) return L;
         vec3 wo = vneg(k ? r.d : vunit(r.d));

@@ -31,7 +31,7 @@ static inline vec3 bounce_direct(const direct *d, const lit_hit *x, vec3 wo, sam
     vec3 black = {0, 0, 0};
     real chance, which = sampler_number(s);
     point2 u = sampler_pair(s);
-    if (!lit_lights_some(d->lights) || brdf_is_delta(&x->m->f)) return black;
+    if (!lit_lights_some(d->lights) || brdf_is_delta(x->f)) return black;
     shading_frame f = shading_frame_of(x->s.ns);
     direct_point at = {x, f, to_local(f, wo)};
     size_t k = lit_lights_choose(d->lights, which, &chance, &which);
@@ -55,13 +55,13 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
         vec3 Le = naive_find(p, eye, k, &x, &met, &c->walk);
         if (count_it || !met) term[k] = vadd(term[k], vmul(through, Le));
         if (!met || k == p->depth) return;
-        if (naive_black(x.m)) { c->walk.black++; return; }
+        if (naive_black(&x)) { c->walk.black++; return; }
         term[k + 1] = vadd(term[k + 1], vmul(through, bounce_direct(&d, &x, wo, s)));
-        if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
+        if (k + 1 == p->depth && !brdf_is_delta(x.f) && vzero(p->scene->background)) return;
         if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;
         through = naive_through(through, weight);
         if (vzero(through)) return;
-        wo = vneg(eye.d), count_it = brdf_is_delta(&x.m->f);
+        wo = vneg(eye.d), count_it = brdf_is_delta(x.f);
     }
 }
 

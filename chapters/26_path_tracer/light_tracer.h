@@ -94,8 +94,8 @@ static inline void light_path(const light_tracer *t, path_random *s, light_sum *
     while (path_meets(&t->paths, &w, &x)) {
         shading_frame f = shading_frame_of(x.s.ns);
         vec3 eye = to_local(f, vunit(vsub(t->eye.e, x.s.p))), wi = to_local(f, vneg(w.r.d));
-        vec3 phi_f = vscale(vmul(w.beta, brdf_value_local(&x.m->f, wi, eye)), power / w.squeezed);
-        if (!(x.m->ior > 0)) light_show(t, &x.s, phi_f, to);
+        vec3 phi_f = vscale(vmul(w.beta, brdf_value_local(x.f, wi, eye)), power / w.squeezed);
+        if (!(x.m->inside.ior > 0)) light_show(t, &x.s, phi_f, to);
         if (!path_on(&t->paths, &w, &x, s, &to->work)) return;
     }
 }

@@ -96,7 +96,7 @@ static inline void path_tracer_of(const lit_scene *s, const environment *sky, pa
     *out = (path_tracer){.scene = s, .sky = sky, .how = how};
     lit_lights_of(s, sky, LIGHTS_FLUX, &out->light);
     out->dark = !lit_lights_some(&out->light) && vzero(s->background) && !how.spend_all;
-    for (size_t i = 0; i < s->materials; i++) out->glass = out->glass || s->material[i].ior > 0;
+    for (size_t i = 0; i < s->materials; i++) out->glass |= s->material[i].inside.ior > 0;
 }
 
 static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_t pixel,
@@ -133,7 +133,7 @@ typedef struct {
     vec3 from;                   /* what r left: a point, */
     uint32_t left;               /* and its shape; no_shape: the eye */
     real pdf;                    /* of r's direction; infinite: no light sample could find it */
-    const lit_material *medium;  /* glass that r is in, or NULL */
+    const medium *in;            /* of the glass that r is in, or NULL */
     real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
     int bounces;
 } path_walk;
@@ -144,7 +144,7 @@ static inline path_walk path_begin(ray eye)
 {
     path_walk w;
     w.L = (vec3){0, 0, 0}, w.beta = (vec3){1, 1, 1}, w.r = eye, w.from = eye.o, w.left = no_shape;
-    w.pdf = real_infinity, w.medium = NULL, w.squeezed = 1, w.bounces = 0;
+    w.pdf = real_infinity, w.in = NULL, w.squeezed = 1, w.bounces = 0;
     return w;
 }
 
@@ -157,7 +157,7 @@ static inline vec3 path_cut(vec3 c, real most)
 /* (26.5), second half: light that the ray itself has met. */
 fast_inline vec3 path_found(const path_tracer *t, const path_walk *w, const lit_hit *x)
 {
-    vec3 Le = x->m->Le;
+    vec3 Le = x->m->ke;
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
     if (!t->how.mis) return (vec3){0, 0, 0};
     real cosine = fabs(vdot(x->s.n, w->r.d));
@@ -176,9 +176,15 @@ static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
 }
 
 /* What fills the place behind a wall of glass. */
-static inline const lit_material *path_behind(const lit_hit *x)
+static inline const medium *path_behind(const lit_hit *x)
 {
-    return x->front ? x->m : NULL;
+    return x->front ? &x->m->inside : NULL;
+}
+
+/* What glass itself colours. */
+static inline vec3 path_tint(const lit_hit *x, bool through)
+{
+    return through ? x->m->through : x->m->mirror;
 }
 
 /* (26.5), first half. wo is local to f. g: of rough glass, which light may also reach from behind;
@@ -194,8 +200,8 @@ fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x
     bool lit = g || (vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi));
     if (!lit && !t->how.spend_all) return;
     vec3 fcos = {0, 0, 0};
-    if (g) fcos.x = fcos.y = fcos.z = fabs(wi.z) * rough_glass_value(g, wi, wo);
-    else if (lit) fcos = vscale(brdf_value_local(&x->m->f, wi, wo), wi.z);
+    if (g) fcos = vscale(path_tint(x, wi.z < 0), fabs(wi.z) * rough_glass_value(g, wi, wo));
+    else if (lit) fcos = vscale(brdf_value_local(x->f, wi, wo), wi.z);
     vec3 brings = vmul(w->beta, vmul(fcos, l.Le));
     if (vzero(brings)) {
         if (!t->how.spend_all) return;
@@ -204,11 +210,11 @@ fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x
     c->shadow++;
     if (lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter)) return;
     real pdf = !t->how.mis ? 0 : g ? rough_glass_pdf(g, wi, wo)
-                                   : brdf_pdf_local(&x->m->f, wi, wo);
+                                   : brdf_pdf_local(x->f, wi, wo);
     vec3 gain = vscale(brings, mis_power(l.pdf, pdf) / l.per);
-    const lit_material *in = g && wi.z < 0 ? path_behind(x) : w->medium;
+    const medium *in = g && wi.z < 0 ? path_behind(x) : w->in;
     if (t->glass && in)  /* no wall of it in between: all the way in the glass */
-        gain = vmul(gain, absorbed(in->sigma,
+        gain = vmul(gain, absorbed(in->absorb,
                                    l.far ? real_infinity : vlength(vsub(l.s.p, x->s.p))));
     w->L = vadd(w->L, path_cut(gain, t->how.clamp));
 }
@@ -249,7 +255,7 @@ static bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit
                                path_random *s, path_counts *c)
 {
     bool through;
-    real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
+    real n1 = x->front ? 1 : x->m->inside.ior, n2 = x->front ? x->m->inside.ior : 1;
     c->refractions++;
     vec3 wi;
     if (x->m->alpha > 0) {
@@ -260,10 +266,11 @@ static bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit
         w->pdf = real_infinity;
         wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
     }
+    w->beta = vmul(w->beta, path_tint(x, through));
     if (through) {
         real k = dielectric_squeeze(n1, n2);
         w->beta = vscale(w->beta, k), w->squeezed *= k;
-        w->medium = path_behind(x);
+        w->in = path_behind(x);
     }
     w->r = leave(surface_copy(&x->s), wi);
     w->from = x->s.p, w->left = x->s.shape;
@@ -274,7 +281,7 @@ static bool path_through_glass(const path_tracer *t, path_walk *w, const lit_hit
 fast_inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit *x,
                               path_random *s, path_counts *c)
 {
-    const brdf *b = &x->m->f;
+    const brdf *b = x->f;
     vec3 wo = vneg(w->left == no_shape ? vunit(w->r.d) : w->r.d), wi, weight;
     shading_frame f = shading_frame_of(x->s.ns);
     vec3 local = to_local(f, wo);
@@ -294,8 +301,8 @@ fast_inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit 
 fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
 {
     if (!lit_trace_at(t->scene, &w->r, w->left, x)) return false;
-    if (t->glass && w->medium)
-        w->beta = vmul(w->beta, absorbed(w->medium->sigma, x->t * vlength(w->r.d)));
+    if (t->glass && w->in)
+        w->beta = vmul(w->beta, absorbed(w->in->absorb, x->t * vlength(w->r.d)));
     return true;
 }
 
@@ -303,9 +310,9 @@ fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
 fast_inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x, path_random *s,
                          path_counts *c)
 {
-    bool glass = t->glass && x->m->ior > 0;
+    bool glass = t->glass && x->m->inside.ior > 0;
     if (w->bounces >= t->how.bounces) return false;
-    if (!glass && brdf_is_black(&x->m->f)) return false;
+    if (!glass && brdf_is_black(x->f)) return false;
     if (glass) {
         lit_hit own = *x;  /* x itself stays where it need not be in memory */
         if (!path_through_glass(t, w, &own, s, c)) return false;

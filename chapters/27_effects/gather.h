@@ -56,7 +56,7 @@ typedef struct {
     studio_face flat;   /* that s is of */
     real more;          /* touch.h */
     const appearance *a;        /* its material, */
-    const appearance *k;        /* and what that is at this angle, by Fresnel */
+    const material *k;          /* and what that is at this angle, by Fresnel */
     const rough_glass *facets;  /* of rough glass; NULL: of none */
     const media_set *behind;    /* what is in there */
 } gather_hit;
@@ -102,8 +102,8 @@ static inline vec3 gather_clear(const effects_stage *e, media_set in, ray r, boo
         if (body && !stands) c->lost += at.full, bodies_cross(e, &at.faces, &in, &after, c);
         if (absorbs) left = vmul(left, gather_left(e, &in, x.h.t * vlength(r.d)));
         uint32_t inside = media_fills(e->media, &in), to = media_fills(e->media, &after);
-        if (vzero(a->through) || stage_bends(e, a, body, inside, to)) break;
-        if (!body || inside != to) left = vmul(left, a->through);
+        if (vzero(a->m.through) || stage_bends(e, a, body, inside, to)) break;
+        if (!body || inside != to) left = vmul(left, a->m.through);
         vec3 o = leave_point(s, r.d, at.more);
         if (r.tmax == real_infinity) r.o = o;
         else r = ray_between(o, end);
@@ -152,21 +152,19 @@ fast_inline bool gather_passes(const gather_hit *h, const unsigned mask, const l
 fast_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf,
                                  real q)
 {
-    const appearance *k = h->k;
+    const material *k = h->k;
     real c = vdot(h->s.ns, wi);
     real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
-    vec3 sum = vscale(k->matte, c / pi * w);
-    if (h->a->has_lobe) {
+    vec3 sum = vscale(k->kd, c / pi * w);
+    if (!vzero(k->ks)) {
         const brdf *lobe = &h->a->lobe;
         shading_frame f = shading_frame_of(h->s.ns);
-        vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
-        if (vzero(k->mirror) || !(pdf < real_infinity))  /* else it shows it */
-            both = vscale(k->highlight, mis_power(pdf, q));
-        if (!vzero(k->glossy)) {
-            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
-            both = vmadd(both, k->glossy, share);
-        }
-        sum = vmadd(sum, vmul(both, brdf_value_local(lobe, i, o)), c);
+        vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d));
+        real share = 0;
+        if (h->a->glossy)
+            share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
+        else if (vzero(k->mirror) || !(pdf < real_infinity)) share = mis_power(pdf, q);
+        sum = vmadd(sum, vmul(vscale(k->ks, share), brdf_value_local(lobe, i, o)), c);
     }
     return sum;
 }
@@ -184,7 +182,7 @@ static vec3 gather_facets(const gather_hit *h, const unsigned mask, vec3 wi, rea
     if ((vdot(h->s.n, wi) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return none;
     *pdf = rough_glass_pdf(g, i, o);
     real k = rough_glass_value(g, i, o) * fabs(i.z);
-    return vscale(through ? h->a->through : h->a->mirror, k);
+    return vscale(through ? h->a->m.through : h->a->m.mirror, k);
 }
 
 /* (27.8), of a light, a lamp or the sky. */
@@ -214,7 +212,7 @@ static vec3 gather_highlight(const gather_hit *h, const unsigned mask)
     gather_hit alone = *h;
     lit_draw x = {.far = true, .emitter = lit_dark};
     vec3 part, none = {0, 0, 0};
-    const appearance k = {.highlight = h->k->highlight};
+    const material k = {.ks = h->k->ks};
     alone.k = &k;
     if (!brdf_sample(&h->a->lobe, h->s.ns, vneg(h->b->r.d), u.u, u.v, &x.wi, &x.pdf, &part))
         return none;
@@ -246,7 +244,7 @@ fast_inline vec3 gather(const gather_hit *h, const unsigned mask)
     size_t lights = mask & EFFECT_HARD_SHADOWS ? h->e->s->lights : 0;
     size_t lamp = lights + ((mask & EFFECT_SOFT_SHADOWS) && h->e->lamp.n);
     size_t sky = lamp + ((mask & EFFECT_ENVIRONMENT) != 0);
-    bool shines = !vzero(h->k->highlight) && vzero(h->k->mirror);
+    bool shines = !h->a->glossy && !vzero(h->k->ks) && vzero(h->k->mirror);
     for (size_t i = 0; i < sky; i++) {
         int kind = i < lights ? RAY_TO_LIGHT : i < lamp ? RAY_TO_LAMP : RAY_TO_SKY;
         real q = 0;
@@ -287,7 +285,7 @@ fast_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, con
 fast_inline vec3 gather_emitted(const effects_stage *e, const unsigned mask, const branch *b,
                                 const appearance *a, studio_hit x, const surface *s)
 {
-    vec3 L = a->emits;
+    vec3 L = a->m.ke;
     if (vzero(L) || !(mask & (EFFECT_INDIRECT | EFFECT_GLOSSY)) || !(b->pdf < real_infinity))
         return L;
     const shape *of = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;

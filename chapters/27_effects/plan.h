@@ -133,7 +133,7 @@ enum { plan_rule_count = sizeof plan_rules / sizeof *plan_rules };
 /* Rough glass calls for no mirror: its facets are glossy. */
 static inline unsigned plan_calls(const appearance *a)
 {
-    return a->rough > 0 ? a->calls & ~(unsigned)EFFECT_MIRROR : a->calls;
+    return a->m.alpha > 0 ? a->calls & ~(unsigned)EFFECT_MIRROR : a->calls;
 }
 
 static inline plan_group plan_find(const plan_facts *q, int kind)

@@ -121,7 +121,7 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
     real power, pdf;
     if (!dielectric_rough(*h->facets, h->s.ns, vneg(h->b->r.d), &s, &wi, &through, &power)
         || (vdot(wi, n) < 0) != through || (through && !(mask & EFFECT_REFRACTION))) return 0;
-    vec3 weight = vmul(h->b->weight, vscale(through ? h->a->through : h->a->mirror, power));
+    vec3 weight = vmul(h->b->weight, vscale(through ? h->a->m.through : h->a->m.mirror, power));
     if (!effects_follows(h, mask, DICE_SURVIVES_GLOSSY, &weight)) return 0;
     effects_child(h, mask, through ? RAY_REFRACTED : RAY_GLOSSY, through ? vneg(n) : n, wi, weight,
                   c);
@@ -133,26 +133,25 @@ static int effects_facet(const gather_hit *h, const unsigned mask, branch *c)
 
 /* The material at this angle: itself, or with Fresnel *k, of which the colours are set (gcc copies
  * the whole word by word). x is set if it bends. */
-fast_inline const appearance *effects_angle(const gather_hit *h, const unsigned mask,
-                                            const snell *x, bool bends, appearance *k)
+fast_inline const material *effects_angle(const gather_hit *h, const unsigned mask,
+                                          const snell *x, bool bends, material *k)
 {
-    const appearance *a = h->a;
-    if (!a->fresnel) return a;
+    const material *m = &h->a->m;
+    if (!h->a->fresnel) return m;
     real cosine = real_min(1, fabs(vdot(h->s.ns, h->b->r.d)));
-    k->matte = a->matte, k->highlight = a->highlight, k->mirror = a->mirror;
-    k->glossy = a->glossy, k->through = a->through;
-    if ((mask & EFFECT_GLOSSY) && a->rough > 0) {  /* for effects_facet */
+    k->kd = m->kd, k->ks = m->ks, k->mirror = m->mirror, k->through = m->through;
+    if ((mask & EFFECT_GLOSSY) && m->alpha > 0) {  /* for effects_facet */
         k->mirror = k->through = (vec3){0, 0, 0};
-    } else if (vzero(a->through)) {
-        vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
-        if (vzero(a->mirror)) k->glossy = F;
+    } else if (vzero(m->through)) {
+        vec3 F = fresnel_schlick(h->a->glossy ? m->ks : m->mirror, cosine);
+        if (h->a->glossy) k->ks = F;
         else k->mirror = F;
-        k->matte = vmul(k->matte, vrest(F));
+        k->kd = vmul(k->kd, vrest(F));
     } else if (bends || !(mask & EFFECT_REFRACTION)) {  /* left out by --effects: Schlick's R */
-        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
+        real q = (1 - m->inside.ior) / (1 + m->inside.ior), f0 = q * q;
         real R = bends ? fresnel(x) : fresnel_schlick((vec3){f0, f0, f0}, cosine).x;
-        k->mirror = vscale(k->mirror, R), k->glossy = vscale(k->glossy, R);
-        k->through = vscale(k->through, 1 - R), k->matte = vscale(k->matte, 1 - R);
+        k->mirror = vscale(k->mirror, R), k->ks = vscale(k->ks, R);
+        k->through = vscale(k->through, 1 - R), k->kd = vscale(k->kd, 1 - R);
     }
     return k;
 }
@@ -174,11 +173,12 @@ fast_inline int effects_children(const gather_hit *h, const unsigned mask, const
                                  bool bends, branch child[4])
 {
     const unsigned calls = mask & EFFECTS_SPEND ? mask : mask & h->a->calls;
+    const vec3 black = {0, 0, 0};
     int n = 0;
-    if (calls & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k->matte, child);
+    if (calls & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k->kd, child);
     if ((calls & EFFECT_GLOSSY) && h->facets) n += effects_facet(h, mask, &child[n]);
     else if (calls & EFFECT_GLOSSY)
-        n += effects_spread(h, mask, RAY_GLOSSY, h->k->glossy, &child[n]);
+        n += effects_spread(h, mask, RAY_GLOSSY, h->a->glossy ? h->k->ks : black, &child[n]);
     if (calls & EFFECT_MIRROR) {
         vec3 weight = vmul(h->b->weight, h->k->mirror);
         if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
@@ -208,7 +208,7 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
     touch_at(&e->t, e->look, e->near, always, b->r, met->x, &met->s, &at);
     met->more = at.more, c->contacts += at.asked, c->lost += at.full;
     for (const media_face *k = at.faces.face; k < at.faces.face + at.faces.n; k++)
-        if (k->in != k->out && e->look[k->body - 1].rough > e->look[met->m].rough)
+        if (k->in != k->out && e->look[k->body - 1].m.alpha > e->look[met->m].m.alpha)
             met->m = k->body - 1;
     if (at.opaque.h.shape == no_shape)
         return met->to = bodies_cross(e, &at.faces, &b->in, after, c), true;
@@ -264,21 +264,20 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    appearance angle;
+    material angle;
     h.k = effects_angle(&h, mask, &at, bends, &angle);
     rough_glass facets;
     h.facets = NULL, h.behind = body ? &after : NULL;
-    if ((mask & EFFECT_GLOSSY) && a->rough > 0) {
-        facets = (rough_glass){a->rough, bends ? e->media[inside].ior : 1,
-                               bends ? e->media[to].ior : a->ior};
+    if ((mask & EFFECT_GLOSSY) && a->m.alpha > 0) {
+        facets = (rough_glass){a->m.alpha, bends ? e->media[inside].ior : 1,
+                               bends ? e->media[to].ior : a->m.inside.ior};
         h.facets = &facets;
         h.s.error += h.more, h.more = 0;  /* for shadow rays, too */
     }
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
-            L = vadd(L, vmul(vadd(vadd(h.k->matte, h.k->highlight), h.k->glossy),
-                             headlight(h.s.ns, b->r.d)));
+            L = vadd(L, vmul(vadd(h.k->kd, h.k->ks), headlight(h.s.ns, b->r.d)));
     }
     if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));
     *sum = vadd(*sum, vmul(basic, L));

@@ -102,9 +102,8 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
     out->media[0] = (medium){.ior = 1};
     for (size_t m = 0; m < s->materials; m++) {
         const appearance *a = &out->look[m];
-        int priority = s->material[m].mtl.priority;
-        out->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, priority};
-        out->clear |= s->material[m].used && !vzero(a->through) && !a->bends;
+        out->media[m + 1] = a->m.inside;
+        out->clear |= s->material[m].used && !vzero(a->m.through) && !appearance_bends(a);
     }
     effects_stage_effects(out, EFFECTS_ALL);
     return true;
@@ -115,7 +114,7 @@ static inline bool effects_stage_build(const studio *s, effects_stage *out, fail
 fast_inline bool stage_bends(const effects_stage *e, const appearance *a, bool body,
                              uint32_t inside, uint32_t to)
 {
-    return a->bends
+    return appearance_bends(a)
         || (body && inside != to && (e->media[inside].ior != 1 || e->media[to].ior != 1));
 }
 

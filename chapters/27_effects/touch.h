@@ -157,7 +157,7 @@ static inline void touch_note(const touch_asking *q, studio_hit x)
         if (m == q->material && (inwards == (vdot(q->n, q->d) < 0)
                                  || !touch_parallel(s.n, q->n))) return;
         out->full |= !media_crossing_add(&out->faces, m + 1, inwards ? 1 : -1);
-    } else if (!vzero(a->through)) return;
+    } else if (!vzero(a->m.through)) return;
     else if (out->opaque.h.shape == no_shape || hit_before(x.h, out->opaque.h))
         out->opaque = x, out->on = s;
     out->more = q->reach;

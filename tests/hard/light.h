@@ -355,8 +355,8 @@ static inline hard_count beside_lamps(int k, real x)
     first_add_flat(&f, wall.o, wall.s, wall.t, lamp);
     lit_first(&f, &s), lit_lights_of(&s, NULL, LIGHTS_ALL, &l);
     direct d = {&s, DIRECT_POWER, &l, &work, false};
-    lit_material paper = {.f = brdf_lambert((vec3){1, 1, 1})};
-    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &paper, lit_dark, 1, true, false};
+    const brdf paper = brdf_lambert((vec3){1, 1, 1});
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, NULL, &paper, lit_dark, 1, true, false};
     first_point p = {.n = up, .v = up, .m = &white, .kd = {1, 1, 1}};
     double truth = (double)(rectangle_irradiance(wall, p.p, up) / pi);
     for (uint64_t i = 0; i < c.tried; i++) {

@@ -93,12 +93,14 @@ static inline material gallery_material(const void *context, trace_hit x, const 
 {
     const gallery *g = context;
     if (x.part == 2) return (material){.shine = 1, .ke = {1.6, 1.7, 2}};
-    if (x.part == 1) return (material){{0.58, 0.52, 0.45}, {0.5, 0.5, 0.5}, 90, {0, 0, 0}};
+    if (x.part == 1) {
+        return (material){.kd = {0.58, 0.52, 0.45}, .ks = {0.5, 0.5, 0.5}, .shine = 90};
+    }
     const gallery_item *i = &gallery_items[x.h.shape];
     vec3 p = vsub(s->p, g->T), kd = vec(i->kd[0], i->kd[1], i->kd[2]);
     bool odd = ((int)floor((double)p.x / 1.5) + (int)floor((double)p.y / 1.5)) & 1;
     if (x.h.shape == 0 && odd) kd = vscale(kd, 0.45);
-    return (material){kd, vec(i->ks, i->ks, i->ks), (real)i->shine, {0, 0, 0}};
+    return (material){.kd = kd, .ks = vec(i->ks, i->ks, i->ks), .shine = (real)i->shine};
 }
 
 static inline shading gallery_shading(const gallery *g)

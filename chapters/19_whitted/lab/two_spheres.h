@@ -38,8 +38,9 @@ static inline whitted_stage *two_spheres_new(void)
     stage_ball(s, glass, 1, whitted_clear(1, 0.75));
     stage_ball(s, glass, 0.93, whitted_clear(2, 0.85));
     stage_ball(s, mirror, 0.95, whitted_mirror(0.82));
-    s->look[two_mirror].base = (material){vec(0.06, 0.07, 0.07), shine, 300, {0, 0, 0}};
-    s->look[two_glass].base.ks = shine, s->look[two_glass].base.shine = 900;
+    material *mirror_look = &s->look[two_mirror].base, *glass_look = &s->look[two_glass].base;
+    mirror_look->kd = vec(0.06, 0.07, 0.07), mirror_look->ks = shine, mirror_look->shine = 300;
+    glass_look->ks = shine, glass_look->shine = 900;
     stage_begin(s, 8);
     return s;
 }

@@ -38,7 +38,7 @@ static inline whitted_stage *forty_new(void)
     for (int k = 0; k < forty_balls; k++) {
         const int *b = forty_ball[k];
         vec3 c = {(real)b[0] / 1000, (real)b[1] / 1000, (real)b[2] / 1000};
-        whitted_material paint = whitted_paint(0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
+        whitted_look paint = whitted_paint(0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
                                                0.3 + 0.1 * (k * 11 % 7));
         stage_ball(f, c, (real)b[3] / 1000, k % 3 == 1 ? whitted_mirror(0.9)
                                             : k % 3 == 2 ? whitted_clear((uint32_t)k, 1) : paint);

@@ -24,7 +24,7 @@ enum { stage_most = 40 };
 typedef struct {
     whitted w;
     shape shape[stage_most], caster[stage_most];
-    whitted_material look[stage_most], odd;
+    whitted_look look[stage_most], odd;
     vec3 corner[4 * stage_most];
     medium media[stage_most + 1];
     light light[4];
@@ -38,28 +38,27 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline whitted_material whitted_paint(double r, double g, double b)
+static inline whitted_look whitted_paint(double r, double g, double b)
 {
-    return (whitted_material){{{(real)r, (real)g, (real)b}, {0, 0, 0}, 1, {0, 0, 0}},
-                              {0, 0, 0}, {0, 0, 0}, 0, 0};
+    return (whitted_look){.base = {.kd = {(real)r, (real)g, (real)b}, .shine = 1}};
 }
 
-static inline whitted_material whitted_mirror(double m)
+static inline whitted_look whitted_mirror(double m)
 {
-    whitted_material x = whitted_paint(0, 0, 0);
-    x.mirror = vec(m, m, m);
+    whitted_look x = whitted_paint(0, 0, 0);
+    x.base.mirror = vec(m, m, m);
     return x;
 }
 
-static inline whitted_material whitted_clear(uint32_t body, real keep)
+static inline whitted_look whitted_clear(uint32_t body, real keep)
 {
-    whitted_material x = whitted_mirror(1);
-    x.through = x.mirror, x.body = body, x.shadow = keep;
+    whitted_look x = whitted_mirror(1);
+    x.base.through = x.base.mirror, x.body = body, x.shadow = keep;
     return x;
 }
 
-static inline const whitted_material *stage_look(const void *context, trace_hit x,
-                                                 const surface *s, whitted_material *room)
+static inline const whitted_look *stage_look(const void *context, trace_hit x,
+                                             const surface *s, whitted_look *room)
 {
     const whitted_stage *w = context;
     (void)room;
@@ -67,17 +66,17 @@ static inline const whitted_material *stage_look(const void *context, trace_hit 
     return x.h.shape == 0 && odd ? &w->odd : &w->look[x.h.shape];
 }
 
-static inline void stage_add(whitted_stage *s, shape x, whitted_material look)
+static inline void stage_add(whitted_stage *s, shape x, whitted_look look)
 {
     s->shape[s->n] = x, s->look[s->n++] = look;
 }
 
-static inline void stage_ball(whitted_stage *s, vec3 c, real R, whitted_material look)
+static inline void stage_ball(whitted_stage *s, vec3 c, real R, whitted_look look)
 {
     stage_add(s, shape_of_sphere((sphere){c, R}), look);
 }
 
-static inline void stage_floor(whitted_stage *s, vec3 lo, vec3 hi, bool up, whitted_material look)
+static inline void stage_floor(whitted_stage *s, vec3 lo, vec3 hi, bool up, whitted_look look)
 {
     vec3 *q = s->corner + 4 * s->n;
     for (int i = 0; i < 4; i++) {
@@ -87,7 +86,7 @@ static inline void stage_floor(whitted_stage *s, vec3 lo, vec3 hi, bool up, whit
     stage_add(s, shape_of_polygon(polygon_of(q, 4)), look);
 }
 
-static inline void stage_box(whitted_stage *s, vec3 lo, vec3 hi, bool in, whitted_material look)
+static inline void stage_box(whitted_stage *s, vec3 lo, vec3 hi, bool in, whitted_look look)
 {
     for (int k = 0; k < 6; k++) {
         int axis = k / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;

@@ -38,7 +38,7 @@ static inline material balls_material(const void *context, trace_hit x, const su
     const distributed_balls *b = context;
     const first_material *m = &b->first.thing[x.h.shape].m;
     (void)s;
-    return (material){m->kd, m->mirror, m->shine, m->ke};
+    return (material){.kd = m->kd, .ks = m->mirror, .shine = m->shine, .ke = m->ke};
 }
 
 static inline first_scene balls_scene(bool chrome)

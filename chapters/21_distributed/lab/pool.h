@@ -59,11 +59,12 @@ static inline material pool_material(const void *context, trace_hit x, const sur
     const pool *g = context;
     (void)x;
     if ((double)s->p.z < 1e-3)
-        return (material){vec(0.02, 0.2, 0.1), {0, 0, 0}, 1, {0, 0, 0}};
+        return (material){.kd = vec(0.02, 0.2, 0.1), .shine = 1};
     for (int i = 0; i < pool_balls; i++) {
         vec3 n = vsub(s->p, g->ball[i].sphere.c);
         if (fabs((double)vlength(n) - 1) < 1e-3)
-            return (material){pool_paint(i, vunit(n)), vec(0.06, 0.06, 0.06), 3000, {0, 0, 0}};
+            return (material){.kd = pool_paint(i, vunit(n)), .ks = vec(0.06, 0.06, 0.06),
+                              .shine = 3000};
     }
     int lamp = s->p.x < 0 ? 0 : 1;
     return (material){.ke = vdot(s->n, g->light[lamp].n) > (real)0.5

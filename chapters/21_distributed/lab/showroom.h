@@ -118,7 +118,7 @@ static inline material showroom_material(const void *context, trace_hit x, const
     if (x.part == 0 && i == 0 && odd) kd = vscale(kd, (real)0.35);
     real shine = k->effects & LOOK_GLOSSY ? (real)a[6] : real_infinity;
     if (x.part == 1 && k->pot_shine != 0) shine = k->pot_shine;
-    return (material){kd, vec(a[3], a[4], a[5]), shine, {0, 0, 0}};
+    return (material){.kd = kd, .ks = vec(a[3], a[4], a[5]), .shine = shine};
 }
 
 static inline void showroom_set(showroom_look *k, const showroom *g, int effects)

@@ -93,7 +93,7 @@ static inline void points_job(size_t i, void *context)
     if (v->at[i].part == 0) {
         rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
         real E = whole_irradiance(lamp, p->h.s.p, p->h.s.n) / pi;
-        truth = grey(vscale(vmul(p->h.m->f.diffuse, cornell_radiance), E));
+        truth = grey(vscale(vmul(p->h.m->kd, cornell_radiance), E));
     }
     for (int k = 0; k < points_levels && v->at[i].part < 2; k++) {
         double L[2] = {grey(point_lights(&d, &p->h, p->wo, 1u << k, &seen)),

@@ -35,21 +35,21 @@ static inline camera stage_camera_of(direct_stage_name name, real aspect)
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
 {
-    return lit_add_material(s, (lit_material){.f = brdf_lambert(vec(r, g, b))});
+    return lit_add_material(s, (material){.kd = vec(r, g, b)});
 }
 
 static inline uint16_t stage_lamp(lit_scene *s, vec3 Le)
 {
-    return lit_add_material(s, (lit_material){.Le = Le});
+    return lit_add_material(s, (material){.ke = Le});
 }
 
 /* A plate at c, 8 wide: its normal halves the angle between the eye and the origin. */
-static inline void stage_plate(lit_scene *s, vec3 c, uint16_t material)
+static inline void stage_plate(lit_scene *s, vec3 c, uint16_t look)
 {
     vec3 n = vunit(vadd(vunit(vsub(plate_eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
     vec3 t = vcross(n, (vec3){1, 0, 0});
     vec3 o = vsub(vsub(c, vscale(across, 0.5)), vscale(t, 0.5));
-    lit_add_rectangle(s, (rectangle){o, across, t}, material);
+    lit_add_rectangle(s, (rectangle){o, across, t}, look);
 }
 
 static inline void stage_plates(direct_stage *g)
@@ -64,7 +64,7 @@ static inline void stage_plates(direct_stage *g)
     lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
     lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
     for (int k = 0; k < 4; k++) {
-        lit_material metal = {.f = brdf_ggx(f0, (real)plate[k].roughness)};
+        material metal = {.mirror = f0, .alpha = ggx_alpha((real)plate[k].roughness)};
         stage_plate(&g->s, vec(0, plate[k].y, plate[k].z), lit_add_material(&g->s, metal));
     }
     for (int k = 0; k < 4; k++) {  /* flux 4 pi^2 r^2 L, the same for all */

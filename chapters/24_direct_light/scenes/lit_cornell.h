@@ -22,8 +22,8 @@ static inline void lit_cornell_room(lit_scene *s, size_t triangles)
     mesh m = cornell_mesh();
     lit_begin(s);
     for (int k = 0; k < cornell_parts; k++) {
-        lit_material x = {.f = brdf_lambert(cornell_reflectance[k])};
-        if (k == CORNELL_LIGHT) x.Le = cornell_radiance;
+        material x = {.kd = cornell_reflectance[k]};
+        if (k == CORNELL_LIGHT) x.ke = cornell_radiance;
         lit_add_material(s, x);
     }
     for (size_t i = 0; i < triangles; i++) {

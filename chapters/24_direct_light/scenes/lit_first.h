@@ -23,7 +23,7 @@ static inline void lit_first_begin(const first_scene *f, lit_scene *s)
     lit_begin(s);
     for (int i = 0; i < f->things; i++) {
         const first_thing *x = &f->thing[i];
-        lit_material m = {.f = brdf_lambert(x->m.kd), .Le = x->m.ke};
+        material m = {.kd = x->m.kd, .ke = x->m.ke};
         uint16_t k = lit_add_material(s, m);
         if (x->ball.r != 0) lit_add_shape(s, shape_of_sphere(x->ball), k);
         else lit_add_rectangle(s, (rectangle){x->corner, x->a, x->b}, k);

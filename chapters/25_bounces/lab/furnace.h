@@ -54,7 +54,7 @@ static inline real series_whole(real E, real rho)
 static inline void furnace_sphere(lit_scene *s, vec3 E, vec3 rho)
 {
     lit_begin(s);
-    uint16_t wall = lit_add_material(s, (lit_material){.f = brdf_lambert(rho), .Le = E});
+    uint16_t wall = lit_add_material(s, (material){.kd = rho, .ke = E});
     lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, -1}), wall);
     lit_end(s);
 }
@@ -73,7 +73,7 @@ static inline rectangle furnace_wall(int k)
 static inline void furnace_box(lit_scene *s, vec3 E, vec3 rho)
 {
     lit_begin(s);
-    uint16_t wall = lit_add_material(s, (lit_material){.f = brdf_lambert(rho), .Le = E});
+    uint16_t wall = lit_add_material(s, (material){.kd = rho, .ke = E});
     for (int k = 0; k < 6; k++) lit_add_rectangle(s, furnace_wall(k), wall);
     lit_end(s);
 }

@@ -60,7 +60,7 @@ static inline uint16_t obj_look_new(obj_looks *l, const char *name)
     uint16_t look = l->grey;
     for (; k < l->runs && strcmp(l->named[k].name, name) == 0; k++) {
         if (l->look[l->named[k].run] != l->grey) break;
-        if (look == l->grey) look = lit_add_material(l->s, (lit_material){.ior = 0});
+        if (look == l->grey) look = lit_add_material(l->s, (material){.shine = 1});
         l->look[l->named[k].run] = look;
     }
     return look;
@@ -71,7 +71,7 @@ static inline void obj_look_set(obj_looks *l, uint16_t look, const mtl_material 
 {
     bool black = !matte && !vzero(m->ke);
     vec3 kd = vscale(m->kd, black ? 0 : 1 / real_max(1, vlargest(m->kd)));
-    l->s->material[look] = (lit_material){.f = brdf_lambert(kd), .Le = m->ke, .both = true};
+    l->s->material[look] = (material){.kd = kd, .ke = m->ke, .both = true};
     l->more = l->more || !vzero(m->ks) || m->illum > 2 || m->d < 1;
 }
 
@@ -102,7 +102,7 @@ static inline void obj_look_paint(const obj_looks *l, const mesh *m)
         size_t run = mesh_run_of(m, i);
         s->of_triangle[i] = run ? l->look[run - 1] : l->grey;
         uint16_t look = s->of_triangle[i];
-        emitter e = emitter_of_triangle(mesh_triangle(m, i), s->material[look].Le);
+        emitter e = emitter_of_triangle(mesh_triangle(m, i), s->material[look].ke);
         s->emitter_of[i] = lit_emitter(s, look, e);
     }
 }

@@ -56,7 +56,7 @@ static inline camera showcase_eye(vec3 from, vec3 at, real degrees, real aspect)
     return camera_at(from, at, (vec3){0, 1, 0}, degrees, aspect);
 }
 
-static inline void showcase_ball(lit_scene *s, vec3 c, real r, lit_material m)
+static inline void showcase_ball(lit_scene *s, vec3 c, real r, material m)
 {
     lit_add_shape(s, shape_of_sphere((sphere){c, r}), lit_add_material(s, m));
 }
@@ -64,13 +64,13 @@ static inline void showcase_ball(lit_scene *s, vec3 c, real r, lit_material m)
 /* Flat ground, facing up. */
 static inline void showcase_floor(lit_scene *s, vec3 middle, real half, vec3 albedo)
 {
-    uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(albedo)});
+    uint16_t m = lit_add_material(s, (material){.kd = albedo});
     vec3 o = {middle.x - half, middle.y, middle.z - half};
     lit_add_rectangle(s, (rectangle){o, {0, 0, 2 * half}, {2 * half, 0, 0}}, m);
 }
 
 /* Their materials are the last two: cornell_parts and the next. */
-static inline void showcase_balls(lit_scene *s, lit_material left, lit_material right)
+static inline void showcase_balls(lit_scene *s, material left, material right)
 {
     real r = 100;
     lit_cornell_room(s, cornell_room);
@@ -97,7 +97,7 @@ static inline void showcase_teapot(showcase *c, real aspect)
     showcase_upright(&m);
     lit_begin(&c->s);
     vec3 copper = {0.95, 0.64, 0.54};
-    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, 0.45)});
+    uint16_t pot = lit_add_material(&c->s, (material){.mirror = copper, .alpha = ggx_alpha(0.45)});
     lit_add_mesh(&c->s, &m, pot);
     mesh_free(&m);
     showcase_floor(&c->s, (vec3){0, 0, 0}, 60, vec(0.48, 0.42, 0.36));
@@ -111,9 +111,9 @@ static inline void showcase_rough(showcase *c, real aspect)
     static const double alpha[5] = {0, 0.04, 0.08, 0.16, 0.32};
     lit_scene *s = &c->s;
     lit_begin(s);
-    uint16_t stripe[2] = {lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.7, .66, .6))}),
-                          lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.1, .22, .3))})};
-    uint16_t lamp = lit_add_material(s, (lit_material){.Le = vec(1.3, 1.2, 1)});
+    uint16_t stripe[2] = {lit_add_material(s, (material){.kd = vec(.7, .66, .6)}),
+                          lit_add_material(s, (material){.kd = vec(.1, .22, .3)})};
+    uint16_t lamp = lit_add_material(s, (material){.ke = vec(1.3, 1.2, 1)});
     for (int k = 0; k < 40; k++) {
         vec3 o = {(real)(k - 20) * (real)0.8, 0, -3};
         lit_add_rectangle(s, (rectangle){o, vec(0.8, 0, 0), vec(0, 9, 0)}, stripe[k % 2]);
@@ -122,7 +122,7 @@ static inline void showcase_rough(showcase *c, real aspect)
     lit_add_rectangle(s, (rectangle){vec(-7, 8, -2), vec(14, 0, 0), vec(0, 0, 8)}, lamp);
     for (int k = 0; k < 5; k++)
         showcase_ball(s, vec(2.2 * (k - 2), 1, 0.1 * (k - 2) * (k - 2)), 1,
-                      (lit_material){.ior = 1.5, .alpha = (real)alpha[k]});
+                      material_glass((medium){.ior = 1.5}, (real)alpha[k]));
     s->background = vec(0.66, 0.7, 0.78);
     c->eye = showcase_eye(vec(0, 2.4, 15), vec(0, 1.15, 0), 15, aspect);
 }
@@ -130,14 +130,14 @@ static inline void showcase_rough(showcase *c, real aspect)
 cold_inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
 {
     vec3 silver = vec(0.95, 0.93, 0.88);
-    lit_material glass = {.ior = 1.5, .sigma = {0.0016, 0.0004, 0.0012}};
+    material glass = material_glass((medium){1.5, {0.0016, 0.0004, 0.0012}, 0}, 0);
     *c = (showcase){.eye = cornell_camera(aspect)};
     if (strcmp(name, "cornell") == 0) lit_cornell_begin(&c->s);
     else if (strcmp(name, "spheres") == 0)
-        showcase_balls(&c->s, (lit_material){.f = brdf_mirror(silver)}, glass);
+        showcase_balls(&c->s, (material){.mirror = silver}, glass);
     else if (strcmp(name, "metal") == 0)
-        showcase_balls(&c->s, (lit_material){.f = brdf_ggx(silver, (real)0.12)},
-                       (lit_material){.f = brdf_lambert(vec(0.7, 0.7, 0.7))});
+        showcase_balls(&c->s, (material){.mirror = silver, .alpha = ggx_alpha((real)0.12)},
+                       (material){.kd = vec(0.7, 0.7, 0.7)});
     else if (strcmp(name, "teapot") == 0) showcase_teapot(c, aspect);
     else if (strcmp(name, "rough") == 0) showcase_rough(c, aspect);
     else return failed(f, 2, "--scene %.200s: allowed are %s", name, showcase_names);
@@ -161,7 +161,7 @@ static inline bool showcase_of_obj(const char *path, bool z_up, real aspect, sho
     bool seen = some && r > 0 && isfinite(1000 * r) && vfinite(vscale(middle, 1000)), ok = true;
     if (seen) {
         lit_begin(&c->s);
-        uint16_t look = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
+        uint16_t look = lit_add_material(&c->s, (material){.kd = grey});
         lit_add_mesh(&c->s, &m, look);
         ok = obj_materials(&m, path, look, &c->s, &c->libraries, f);
     }

@@ -31,12 +31,12 @@ cold_inline void vertices_light(const path_tracer *t, const path_walk *w, const 
 {
     lit_draw l;
     shading_frame f = shading_frame_of(x->s.ns);
-    if (x->m->ior > 0 || brdf_is_black(&x->m->f) || brdf_is_delta(&x->m->f)) return;
+    if (x->m->inside.ior > 0 || brdf_is_black(x->f) || brdf_is_delta(x->f)) return;
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, path_pair(&next), &l)) return;
     vec3 wi = to_local(f, l.wi);
     v->lamp = l.s.p, v->drawn = vdot(x->s.n, l.wi) > 0;
     v->blocked = lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter);
-    v->weight = mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, to_local(f, vneg(vunit(w->r.d)))));
+    v->weight = mis_power(l.pdf, brdf_pdf_local(x->f, wi, to_local(f, vneg(vunit(w->r.d)))));
 }
 
 /* The path of an eye's ray, by the numbers s. */
@@ -54,7 +54,7 @@ cold_inline path_seen vertices_of(const path_tracer *t, ray eye, path_random s)
         vertices_light(t, w, &x, s, v);
         on = path_step(t, w, &s, &c);
         v->gain = vsub(w->L, before), v->glass = c.refractions > 0, v->dice = c.dice > 0;
-        v->mirror = brdf_is_delta(&x.m->f);
+        v->mirror = brdf_is_delta(x.f);
     }
     return p;
 }
@@ -173,7 +173,7 @@ cold_inline void draw_vertices(const options *o)
     enum { side = 100, x = 39, y = 62, tried = 114 };
     shot s;
     shot_of(&s, o, "metal", path_defaults, side, side);
-    s.c.s.material[cornell_parts].f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
+    s.c.s.f[cornell_parts] = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
     path_random r = path_start(&s.t.how, 1, tried, 0, 1);
     point2 u = path_pair(&r);
     path_seen p = vertices_of(&s.t, camera_ray(s.c.eye, x + u.u, y + u.v, side, side), r);

@@ -99,7 +99,7 @@ static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what,
                                   cite at, failure *f)
 {
     studio_material *m = &s->material[made_of];
-    bool through = opaque && !vzero(appearance_of(m).through);
+    bool through = opaque && !vzero(appearance_of(m).m.through);
     if (!through && vzero(m->mtl.ke)) return false;
     failed(f, 2, "%s: %s: '%.60s' %s, allowed: materials that do not",
            studio_said(s, at).text, what, studio_material_name(s, made_of),
@@ -137,7 +137,7 @@ static inline bool finish_rough(const studio *s, failure *f)
 {
     for (uint32_t m = 0; m < s->materials; m++) {
         const studio_material *x = &s->material[m];
-        if (!(x->mtl.roughness > 0) || appearance_of(x).rough > 0) continue;
+        if (!(x->mtl.roughness > 0) || appearance_of(x).m.alpha > 0) continue;
         return failed(f, 2, "%s: roughness: '%.60s' is no glass, allowed: 0, or with illum 7, Tf "
                       "above 0, Ni not 1; of what reflects alone say Ns",
                       studio_said(s, x->said[MTL_ROUGHNESS]).text,

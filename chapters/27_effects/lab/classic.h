@@ -3,7 +3,8 @@
  *   classic_build(&e, &c)           a stage as 18 and 19 have it; e outlives it; classic_free
  *   vec3 L = classic_shade(&c, r)   18: shade_ray;  classic_whitted(&c, r)   19: whitted_ray
  *   classic_lit(&s, &lit)           a studio of polygons with four corners and shapes as 26 has
- *                                   it: matte, white mirror or glass, and lamps; lit_free
+ *                                   it: matte, white mirror or glass, and lamps of which the front
+ *                                   shines; lit_free
  */
 #ifndef EFFECTS_CLASSIC_H
 #define EFFECTS_CLASSIC_H
@@ -13,7 +14,7 @@
 
 typedef struct {
     const effects_stage *e;
-    whitted_material *look; /* [materials] */
+    whitted_look *look;     /* [materials] */
     light *light;
     whitted how;
     shading plain;
@@ -26,8 +27,8 @@ static inline uint32_t classic_number(const classic *c, trace_hit x)
     return studio_hit_material(&c->e->t, (studio_hit){x.h, c->e->t.world.part[x.part].id});
 }
 
-static inline const whitted_material *classic_look(const void *context, trace_hit x,
-                                                   const surface *s, whitted_material *room)
+static inline const whitted_look *classic_look(const void *context, trace_hit x, const surface *s,
+                                               whitted_look *room)
 {
     const classic *c = context;
     (void)s, (void)room;
@@ -49,10 +50,8 @@ static inline void classic_build(effects_stage *e, classic *c)
     *c = (classic){.e = e};
     c->look = allocate(s->materials, sizeof *c->look);
     for (size_t m = 0; m < s->materials; m++) {
-        const appearance *a = &e->look[m];
-        bool glass = !vzero(a->through);
-        c->look[m] = (whitted_material){{a->matte, a->highlight, a->lobe.exponent, a->emits},
-                                        a->mirror, a->through, glass ? (uint32_t)m + 1 : 0, 0};
+        const material *of = &e->look[m].m;
+        c->look[m] = (whitted_look){*of, of->inside.ior > 0 ? (uint32_t)m + 1 : 0, 0};
     }
     c->light = allocate(s->lights, sizeof *c->light);
     for (size_t i = 0; i < s->lights; i++) c->light[i] = s->light[i].light;
@@ -85,14 +84,10 @@ static inline void classic_lit(const studio *s, lit_scene *lit)
 {
     lit_begin(lit);
     for (size_t i = 0; i < s->shapes; i++) {
-        appearance a = appearance_of(&s->material[s->shape_material[i]]);
-        bool glass = !vzero(a.through);
-        lit_material l = {.f = vzero(a.mirror) && !glass ? brdf_lambert(a.matte)
-                                                         : brdf_mirror((vec3){1, 1, 1}),
-                          .Le = a.emits, .ior = glass ? a.ior : 0, .sigma = a.absorb,
-                          .alpha = a.rough};
         const polygon *g = &s->shape[i].polygon;
-        uint16_t k = lit_add_material(lit, l);
+        material m = appearance_of(&s->material[s->shape_material[i]]).m;
+        m.both = false;
+        uint16_t k = lit_add_material(lit, m);
         if (s->shape[i].kind != SHAPE_POLYGON) lit_add_shape(lit, s->shape[i], k);
         else lit_add_rectangle(lit, (rectangle){g->v[0], vsub(g->v[1], g->v[0]),
                                                 vsub(g->v[3], g->v[0])}, k);

@@ -68,7 +68,7 @@ static inline mtl_keyword explain_key(const plan_facts *q, int kind)
 {
     uint32_t m = q->has[kind].n ? q->has[kind].first : 0;
     switch (kind) {
-    case RAY_GLOSSY: return q->look[m].rough > 0 ? MTL_ROUGHNESS : MTL_NS;
+    case RAY_GLOSSY: return q->look[m].m.alpha > 0 ? MTL_ROUGHNESS : MTL_NS;
     case RAY_REFRACTED: return q->s->material[m].mtl.illum < 0 ? MTL_D : MTL_ILLUM;
     case RAY_ABSORBED: return MTL_ABSORB;
     case RAY_SCATTERED: return MTL_KD;
@@ -151,7 +151,7 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
     if (x->used && p->facts.look[m].excess > 1 + 16 * real_epsilon)
         n += (size_t)snprintf(does + n, room - n, "; gives back %.3g times what it gets: divided "
                               "by that", (double)p->facts.look[m].excess);
-    if (!x->classic && x->mtl.d < 1 && vzero(p->facts.look[m].through))
+    if (!x->classic && x->mtl.d < 1 && vzero(p->facts.look[m].m.through))
         n += (size_t)snprintf(does + n, room - n, "; d %g, but illum %d calls for no transparency",
                               (double)x->mtl.d, x->mtl.illum);
     if (x->mtl.illum >= 8 && x->mtl.illum <= 10)
