@@ -279,11 +279,14 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
         if (e->headlight)
             L = vadd(L, vmul(vadd(h.k->kd, h.k->ks), headlight(h.s.ns, b->r.d)));
     }
+    /* Its children before its shadow rays: how they end is a toss, and while a processor makes good
+     * a wrong guess, what is needed next is there already. */
+    int n = 0;
+    if ((mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) && b->depth < e->depth)
+        n = effects_children(&h, mask, &at, bends, child);
     if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));
     *sum = vadd(*sum, vmul(basic, L));
-    if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
-        return 0;
-    return effects_children(&h, mask, &at, bends, child);
+    return n;
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied. Of
