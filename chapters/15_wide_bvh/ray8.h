@@ -43,6 +43,7 @@ typedef struct {
     bool sheared;
     ray_shear shear;                              /* of r, once it is asked for: balls don't */
 } bvh8_ray;
+#define bvh8_left_out(i, q) (((i) == (q)->from) | ((i) - (q)->first <= (q)->others))  /* lanes */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -199,7 +200,6 @@ static bool bvh8_sphere(const shape *x, uint32_t i, bvh8_ray *q)
 fast_inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
 {
     const shape *x = &w->x.s->shapes[i];
-    if (i == q->from || i - q->first <= q->others) return false;
     return x->kind == SHAPE_SPHERE ? bvh8_sphere(x, i, q) : bvh8_sheared(x, i, q);
 }
 

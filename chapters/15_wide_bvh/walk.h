@@ -5,9 +5,8 @@
  *
  * A node's eight boxes are tested at once. Of those that the ray meets the nearest is next; the
  * others wait on the stack, farthest first. A block's eight triangles are tested at once, in float
- * with its bounds (ray8.h). What is in doubt is asked in `real` at once. What is surely hit is
- * written down, and asked at the end: by then most of it lies behind something else, and one is
- * left. A search for any hit ends there.
+ * with its bounds (ray8.h). What is in doubt is asked in `real` at once; what is surely hit at the
+ * end, when most of it lies behind something else. A search for any hit ends there.
  */
 
 /* (15.2): the children that are met, and where, not before 0. */
@@ -53,8 +52,7 @@ EIGHT_INLINE bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8
     EIGHT(bvh8_view) v;
     EIGHT(bvh8_look)(b, q, &v);
     /* Empty places, and what the caller leaves out. */
-    eight_whole i = (eight_whole)b->index, out = (i == (int32_t)q->from) | i >> 31;
-    out |= (eight_count)i - q->first <= q->others;
+    eight_whole out = (eight_whole)b->index >> 31 | bvh8_left_out(b->index, q);
     eight_whole maybe = ~out & ~EIGHT_LE(EIGHT_ALL(q->most), EIGHT_MIN(-v.lo, v.hi));
     if (EIGHT_BITS(maybe) == 0) return false;
     eight m = EIGHT_FAR(v.x[0], v.y[0]), m1 = EIGHT_FAR(v.x[1], v.y[1]), zero = EIGHT_ALL(0);
@@ -119,6 +117,8 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
             const bvh8_node *n = &w->node[at];
             eight enter;
             eight_set mask = EIGHT(bvh8_boxes)(n, q, &enter);
+            eight_count as_leaf = (eight_count)EIGHT_ROW(n->child, 0) ^ bvh8_leaf;
+            if (!w->block) mask &= ~EIGHT_BITS(bvh8_left_out(as_leaf, q));  /* shapes, one a leaf */
             if (work) work->nodes++;
             if (mask == 0) goto next;
             at = n->child[EIGHT_FIRST(mask)];
