@@ -121,7 +121,7 @@ static inline vec3 vunit(vec3 a)
 
 /* s, t, n: orthonormal within 4 epsilon for every unit n, whatever the signs of its zeros.
  * Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017, listing 3. */
-static inline void vbasis(vec3 n, vec3 *s, vec3 *t)
+fast_inline void vbasis(vec3 n, vec3 *s, vec3 *t)
 {
     real sign = copysign((real)1, n.z);
     real a = -1 / (sign + n.z), b = n.x * n.y * a;

@@ -29,7 +29,7 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* p moved to the side of w, far enough (18.10), and by `more` [scene units]. */
-static inline vec3 leave_point(surface s, vec3 w, real more)
+fast_inline vec3 leave_point(surface s, vec3 w, real more)
 {
     real off = s.error + s.noise + more;
     return vmadd(s.p, s.n, vdot(s.n, w) < 0 ? -off : off);
