@@ -778,6 +778,8 @@ static void test_misuse(void)
         {"--out x.png --csv y", "one of them"}, {"--only bvh:leaf=0", "from 1 to 255"},
         {"--only bvh:leaf=2.5", "whole"}, {"--only bvh:leaf", "options of bvh"},
         {"--only example:leaf=1", "none"}, {"--only bvh:rule=best", "morton"},
+        {"--only kdtree:rule=best", "allowed are middle median sah"},
+        {"--only kdtree:rule=3", "middle"}, {"--only bsp:rule=sah", "random fewest axis own cost"},
         {"--only wide:width=9", "from 2 to 8"}, {"--regimes --scene soup", "of its own"},
         {"--orders --only bvh", "of its own"}, {"--orders --regimes", "of its own"},
         {"--sweep bvh", "bvh:leaf=1..32"}, {"--sweep bvh:leaf=9..8", "FROM..TO"},
@@ -960,6 +962,36 @@ static void test_knobs(void)
     world_free(&w);
 }
 
+/* A rule by its name, or by its number, which becomes the name. */
+static void test_rule_names(void)
+{
+    static const struct { const char *label; int value; } named[] = {
+        {"kdtree:rule=middle", KD_MIDDLE}, {"kdtree:rule=median", KD_MEDIAN},
+        {"kdtree:rule=sah", KD_SAH}, {"bsp:rule=random", BSP_RANDOM},
+        {"bsp:rule=fewest", BSP_FEWEST}, {"bsp:rule=axis", BSP_AXIS}, {"bsp:rule=own", BSP_OWN},
+        {"bsp:rule=cost", BSP_COST}, {"bvh:rule=cycle", 0}, {"bvh:rule=spatial", 7}};
+    world w = tiny("stadium");
+    comparison s;
+    line_up trees = chosen_of("kdtree:rule=middle,kdtree:rule=median,kdtree,kdtree:rule=sah");
+    for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
+        char number[32];
+        const char *label = named[i].label, *end = strchr(label, '=');
+        snprintf(number, sizeof number, "%.*s=%d", (int)(end - label), label, named[i].value);
+        line_up by_name = chosen_of(label), by_number = chosen_of(number);
+        const contender_setting *set = &by_name.of[0].how.set[0];
+        check_equal(set->value, named[i].value, "%s", label);
+        check_text(by_number.of[0].label, label, "%s", number);
+        if (set->type == KNOB_NAME) check_text(set->name, end + 1, "%s", number);
+    }
+    compare_begin(&s, &w, &trees, (size_t)1 << 30, 1);
+    size_t leaves[4];
+    for (int k = 0; k < 4; k++) leaves[k] = s.entry[k].stats.leaves;
+    check(leaves[0] != leaves[1] && leaves[1] != leaves[3] && leaves[0] != leaves[3],
+          "three rules, three trees: leaves %zu, %zu, %zu", leaves[0], leaves[1], leaves[3]);
+    check_equal(leaves[2], leaves[3], "of triangles the usual one is that by the heuristic");
+    compare_end(&s), world_free(&w);
+}
+
 /* One that another beats at both is not on the front. */
 static void test_front(void)
 {
@@ -1059,5 +1091,5 @@ int main(void)
                      test_alone, test_winners, test_kinds, test_aim, test_patients, test_unscaled,
                      test_wrong_answers, test_open_ends, test_zero, test_costs, test_fewer,
                      test_cheapest, test_growth, test_growth_leaves, test_orders, test_own,
-                     test_example, test_knobs, test_front);
+                     test_example, test_knobs, test_rule_names, test_front);
 }

@@ -21,7 +21,7 @@ int main(int argc, char **argv)
          "balls gears mount rings teapot tetra tree stadium soup needles or solids, alone"},
         {"scale", OPTION_INT, &own.scale, 0, 10000, "its size: what each allows is in MEASURED.md"},
         {"only", OPTION_TEXT, &own.only, 0, 0,
-         "these structures, with options: bvh:leaf=8,kdtree:bonus=0"},
+         "these structures, with options: bvh:leaf=8,kdtree:rule=median"},
         {"sweep", OPTION_TEXT, &own.sweep, 0, 0,
          "bvh:leaf=1..32: building against searching, among all structures"},
         {"report", OPTION_OUTPUT, &own.report, 0, 0, "all of it in one HTML file"},

@@ -1,6 +1,6 @@
 /* knobs.h: structures and their options, from a text.
  *
- *   line_up all = chosen_of("bvh:leaf=8:cost=1,kdtree:bonus=0")      NULL: the usual
+ *   line_up all = chosen_of("bvh:leaf=8:cost=1,kdtree:rule=median")      NULL: the usual
  *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 ..
  *                                                32; up to 17 values, one by one or doubling
  *   text_add(text, sizeof text, " %s", name)     printf, behind what is there
@@ -50,11 +50,18 @@ static const knob knobs[] = {
     {"bsp", "leaf", KNOB_AT(bsp, leaf), KNOB_INT, 1, 1e6},
     {"bsp", "depth", KNOB_AT(bsp, depth), KNOB_INT, 0, 60},
     {"bsp", "candidates", KNOB_AT(bsp, candidates), KNOB_INT, 1, 1e3},
-    {"bvh", "rule", KNOB_AT(bvh, rule), KNOB_NAME, 0, 0},  /* a name of bvh_rules */
+    {"bvh", "rule", KNOB_AT(bvh, rule), KNOB_NAME, 0, bvh_rule_count - 1},
     {"bvh", "leaf", KNOB_AT(bvh, leaf), KNOB_INT, 1, 255},
     {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3},
     {"bvh8", "leaf", KNOB_AT(bvh8, leaf), KNOB_INT, 1, 8},
     {"bvh8", "width", KNOB_AT(bvh8, width), KNOB_INT, 2, 8}};
+
+/* The rules of 12 and of 13, in the order of their enums. */
+static const char *const kdtree_rule_names[kdtree_strategies] = {
+    [KD_MIDDLE] = "middle", [KD_MEDIAN] = "median", [KD_SAH] = "sah"};
+static const char *const bsp_rule_names[bsp_rules] = {
+    [BSP_RANDOM] = "random", [BSP_FEWEST] = "fewest", [BSP_AXIS] = "axis", [BSP_OWN] = "own",
+    [BSP_COST] = "cost"};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -129,21 +136,34 @@ static inline double knob_number(const knob *k, const char *text)
     return x;
 }
 
-static inline const char *knob_rule(const knob *k, const char *name)
+/* Of value i; NULL: it has none. */
+static inline const char *knob_value_name(const knob *k, int i)
 {
-    char all[512] = "";
-    const bvh_rule *rule = bvh_rule_find(name);
-    for (int i = 0; i < bvh_rule_count; i++) text_add(all, sizeof all, " %s", bvh_rules[i].name);
-    if (!rule) die(2, "%s=%s: allowed are%s", k->name, name, all);
-    return rule->name;
+    if (strcmp(k->name, "rule") != 0 || i > k->highest) return NULL;
+    if (k->kind == KNOB_NAME) return bvh_rules[i].name;
+    return strcmp(k->type, "bsp") == 0 ? bsp_rule_names[i] : kdtree_rule_names[i];
 }
 
-/* value: a number, or the one option that is a name. */
+/* The value of that name, or with that number: a sweep counts. */
+static inline int knob_named(const knob *k, const char *text)
+{
+    char all[512] = "", number[16];
+    for (int i = 0; knob_value_name(k, i); i++) {
+        snprintf(number, sizeof number, "%d", i);
+        if (!strcmp(text, knob_value_name(k, i)) || !strcmp(text, number)) return i;
+        text_add(all, sizeof all, " %s", knob_value_name(k, i));
+    }
+    die(2, "%s=%.20s: allowed are%s", k->name, text, all);
+}
+
+/* value: a number, or the name of a rule. */
 static inline void choice_set(compare_choice *p, const knob *k, const char *value)
 {
     contender_setting s = {k->offset, k->kind, 0, NULL};
-    if (k->kind == KNOB_NAME) s.name = knob_rule(k, value);
-    else s.value = knob_number(k, value);
+    if (knob_value_name(k, 0)) {
+        s.value = knob_named(k, value);
+        s.name = value = knob_value_name(k, (int)s.value);
+    } else s.value = knob_number(k, value);
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
     p->how.set[p->how.n++] = s;
     text_add(p->label, sizeof p->label, ":%s=%s", k->name, value);
