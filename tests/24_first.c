@@ -4,6 +4,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/22_radiometry/lab/polygon_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
+#include "../chapters/24_direct_light/lab/survey.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "check.h"
@@ -192,6 +193,21 @@ static void test_camera(void)
     }
 }
 
+/* Its rays, as the chapter's table counts them, are those of light by area, which has its points. */
+static void test_rays_counted(void)
+{
+    direct_survey s;
+    const options o = {.quick = true, .seed = 1, .threads = 1};
+    survey_open(&s, &o, STAGE_FIRST, 6, 64);
+    survey_measure(&s, &o);
+    const direct_work *first = &s.work[survey_first][survey_brief];
+    const direct_work *area = &s.work[DIRECT_AREA][survey_brief];
+    check_equal(first->samples, area->samples, "samples");
+    check_equal(first->shadow, area->shadow, "shadow rays");
+    check_at_most(first->shadow, first->samples - first->samples / 10, "some need none");
+    survey_close(&s);
+}
+
 /* ---- no hang, no crash ---- */
 
 static void test_odd_input(void)
@@ -215,5 +231,5 @@ static void test_odd_input(void)
 int main(void)
 {
     return check_all("24_first", test_closed_forms, test_small_lamp, test_close_to_a_lamp,
-                     test_measured_box, test_camera, test_odd_input);
+                     test_measured_box, test_camera, test_rays_counted, test_odd_input);
 }

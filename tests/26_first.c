@@ -4,6 +4,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/26_path_tracer/first.h"
+#include "../chapters/26_path_tracer/lab/measure.h"
 #include "../chapters/26_path_tracer/path.h"
 #include "check.h"
 #include "first_cube.h"
@@ -222,6 +223,29 @@ static void test_odd_input(void)
     check(vzero(first_path(&s, r, &random)), "a ray without direction meets nothing");
 }
 
+/* What counts its rays goes its way: as many numbers are drawn. Of five a hit the last has three, if
+ * it ends the path, or five, if it leads out of the box; a ray to the lamp is sent or is not. */
+static void test_rays(void)
+{
+    first_scene s = first_cornell(), open = s;
+    size_t other = 0, wrong = 0, shadow = 0, hits = 0;
+    open.eps = 1;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream a = random_start(4, i, 0), b = a;
+        ray r = eye_ray(eye_point(i));
+        size_t rays = measure_first_rays(&s, &open, r, &a);
+        first_path(&s, r, &b);
+        size_t drawn = (size_t)b.dimension, on = drawn / 5, all = on + (drawn % 5 != 0);
+        other += a.dimension != b.dimension;
+        wrong += rays < 1 + on || rays > 1 + on + all;
+        shadow += rays - 1 - on, hits += all;
+    }
+    check_equal(other, 0, "paths that drew other numbers");
+    check_equal(wrong, 0, "paths with other rays");
+    check_at_least(shadow, hits / 2, "of the hits most see the lamp's front");
+    check_at_most(shadow, hits - hits / 20, "not the ceiling");
+}
+
 /* ---- the program ---- */
 
 static void test_program(void)
@@ -243,5 +267,5 @@ int main(void)
 {
     check(mkdtemp(directory), "a directory");
     return check_all("26_first", test_picture, test_roulette, test_by_luck, test_ends,
-                     test_close_to_a_lamp, test_odd_input, test_program);
+                     test_close_to_a_lamp, test_odd_input, test_rays, test_program);
 }

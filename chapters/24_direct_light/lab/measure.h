@@ -38,8 +38,7 @@ static inline void ways_row(table *t, const direct_survey s[2], int way)
 {
     direct_work w = s[0].work[way][survey_brief];
     table_text(t, "%s", way == survey_first ? "first" : direct_name[way]);
-    if (way == survey_first) table_text(t, "-");
-    else table_number(t, (double)(w.shadow + w.direction) / (double)w.samples);
+    table_number(t, (double)(w.shadow + w.direction) / (double)w.samples);
     for (int i = 0; i < 2; i++) {
         if (way >= s[i].ways) {
             table_text(t, "-"), table_text(t, "-");

@@ -29,7 +29,7 @@ typedef struct { lit_hit h; vec3 wo; first_point x; double truth; } seen_point;
 
 typedef struct {
     direct_stage g;
-    first_scene first;           /* of STAGE_FIRST */
+    first_scene first, open;     /* of STAGE_FIRST; open: nothing hides its lamp */
     int ways;
     seen_point *point;
     size_t points;
@@ -61,7 +61,7 @@ static inline real whole_irradiance(rectangle r, vec3 p, vec3 n)
 }
 
 /* The mean of n samples at point i; of random numbers those of number `pixel`. first.h chooses its
- * points by the numbers of pair 1 (direct.h), as DIRECT_AREA does; its rays nobody counts. */
+ * points by the numbers of pair 1 (direct.h), as DIRECT_AREA does. */
 static inline double survey_estimate(const direct_survey *s, int way, const lit_lights *l,
                                      sequence_kind sequence, size_t i, uint64_t pixel, uint32_t n,
                                      uint64_t seed, direct_work *work)
@@ -80,6 +80,19 @@ static inline double survey_estimate(const direct_survey *s, int way, const lit_
         }
     }
     return sum / n;
+}
+
+/* The rays of survey_first, which has the points of DIRECT_AREA: where nothing hides the lamp a
+ * point of it brings light if, and only if, a shadow ray is sent to it. */
+static inline void survey_first_rays(const direct_survey *s, size_t i, uint64_t pixel, uint32_t n,
+                                     direct_work *work)
+{
+    for (uint32_t k = 0; k < n; k++) {
+        random_stream random = random_start(s->seed, pixel, k);
+        random.dimension = 2;
+        work->samples++;
+        work->shadow += !vzero(first_direct_by_lamp(&s->open, 0, s->point[i].x, &random));
+    }
 }
 
 static inline void survey_reference(size_t i, void *context)
@@ -103,6 +116,7 @@ static inline void survey_job(size_t job, void *context)
         direct_work *work = &s->work[way][level];
         double x = survey_estimate(s, way, &s->one, SEQUENCE_RANDOM, k, i, survey_samples(level),
                                    s->seed, work);
+        if (way == survey_first) survey_first_rays(s, k, i, survey_samples(level), work);
         double off = (x - truth) / (truth + s->mean);
         square += off * off;
     }
@@ -130,6 +144,7 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
                          .best = name == STAGE_PLATES ? DIRECT_POWER : DIRECT_ANGLE,
                          .first = first_cornell(),
                          .ways = name == STAGE_FIRST ? survey_ways : direct_ways};
+    s->open = s->first, s->open.eps = 1;  /* a shadow ray from 1 to 0 of the way */
     stage_open(name, &s->g);
     if (o->quick) across = 6;
     int down = (int)((real)across / s->g.aspect);

@@ -33,11 +33,11 @@ static const strategy strategy_list[strategies] = {
     {"the same, Sobol' (default)",
      {SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false}},
     {"first", {SEQUENCE_RANDOM, true, false, ROULETTE_FIXED, path_endless, 0, false}}};
-typedef struct { double error, seconds, rays; } measured;
+typedef struct { double error, seconds, rays; } strategy_result;
 typedef struct {
     const options *o;
     int side;
-    first_scene first;
+    first_scene first, open;  /* open: nothing hides its lamp */
     image reference, light;  /* light: what the eye sees of it at once */
 } measure_place;
 
@@ -76,11 +76,27 @@ static inline double measure_square(const measure_place *m, const film *f)
     return sum / (double)n;
 }
 
-/* All strategies by the same loop, one thread: naive is 25's path, first that of first.h, whose
- * rays nobody counts. The number of rays. */
-static inline size_t measure_render(const measure_place *m, shot *s, const strategy *y,
-                                    uint32_t samples)
+/* The rays of first_path, by a walk that takes the same random numbers. Where nothing hides the lamp
+ * a point of it brings light if, and only if, a shadow ray is sent to it. */
+static inline size_t measure_first_rays(const first_scene *s, const first_scene *open, ray r,
+                                        random_stream *random)
 {
+    size_t rays = 1;
+    for (hit h; first_scene_hit(s, r, &h); rays++) {
+        first_point x = first_point_at(s, r, h);
+        rays += !vzero(first_direct_by_lamp(open, 0, x, random));
+        if (random_next(random) >= first_go_on) break;
+        r = first_bounce(s, x, random);
+    }
+    return rays;
+}
+
+/* All strategies by the same loop, one thread: naive is 25's path, first that of first.h, whose
+ * rays are counted in another run, without its picture. The number of rays. */
+static inline size_t measure_render(const measure_place *m, shot *s, const strategy *y,
+                                    uint32_t samples, bool count)
+{
+    size_t rays = 0;
     naive_counts n = {0};
     path_counts c = {0};
     const naive_path naive = {&s->c.s, DIRECTIONS_BRDF, naive_endless, false};
@@ -95,27 +111,30 @@ static inline size_t measure_render(const measure_place *m, shot *s, const strat
             point2 u = path_pair(&r);
             ray eye = camera_ray(s->c.eye, (real)(i % m->side) + u.u, (real)(i / m->side) + u.v,
                                  m->side, m->side);
-            film_pixel_add(&sum, k, short_book ? first_path(&m->first, eye, &r.own)
+            if (count) rays += measure_first_rays(&m->first, &m->open, eye, &r.own);
+            else film_pixel_add(&sum, k, short_book ? first_path(&m->first, eye, &r.own)
                            : y == strategy_list ? naive_radiance(&naive, eye, &r.pairs, &n)
                            : path_radiance(&s->t, eye, &r, &c));
         }
         film_gather(&s->film, (size_t)i, &sum);
     }
-    return path_rays(&c) + naive_rays(&n);
+    return rays + path_rays(&c) + naive_rays(&n);
 }
 
 /* The root of the mean square over some pictures. */
-static inline measured measure_strategy(const measure_place *m, const strategy *y,
-                                        uint32_t samples, int runs)
+static inline strategy_result measure_strategy(const measure_place *m, const strategy *y,
+                                               uint32_t samples, int runs)
 {
-    measured x = {0, 0, 0};
+    strategy_result x = {0, 0, 0};
     for (int run = 0; run < runs; run++) {
         shot s;
         failure why;
         measure_shot(m, y->how, (uint64_t)run + 1, &s);
         double start = clock_seconds();
-        x.rays += (double)measure_render(m, &s, y, samples) / runs;
+        x.rays += (double)measure_render(m, &s, y, samples, false) / runs;
         x.seconds += (clock_seconds() - start) / runs;
+        if (y == strategy_list + strategy_first)
+            x.rays += (double)measure_render(m, &s, y, samples, true) / runs;
         film_cover(&s.film, 0, samples, &why);
         x.error += measure_square(m, &s.film) / runs;
         shot_free(&s);
@@ -128,7 +147,7 @@ static inline measured measure_strategy(const measure_place *m, const strategy *
 static inline void measure_strategies(const options *o)
 {
     measure_place m = {.o = o, .side = o->quick ? 12 : 32, .first = first_cornell()};
-    measured naive = {0, 0, 0};
+    strategy_result naive = {0, 0, 0};
     path_options seen = path_defaults;
     int end = o->quick ? 2 : strategy_levels;
     char title[80];
@@ -139,11 +158,12 @@ static inline void measure_strategies(const options *o)
                                "time for the naive error [x less]");
     plot error = plot_new("Error and rays", "rays a pixel", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
     seen.bounces = 0;
+    m.open = m.first, m.open.eps = 1;  /* from 1 to 0 of the way */
     m.reference = measure_picture(&m, path_defaults, o->quick ? 256 : 1500);
     m.light = measure_picture(&m, seen, 1024);
     for (int k = 0; k < strategies; k++) {
         const strategy *s = &strategy_list[k];
-        measured x = naive;
+        strategy_result x = naive;
         double pixels = (double)m.side * m.side;
         if (k != strategy_first) plot_series(&error, s->name);
         for (int l = o->full ? 0 : end - 1; l < end; l++) {
@@ -154,7 +174,7 @@ static inline void measure_strategies(const options *o)
         double efficiency = 1 / (x.error * x.error * x.seconds);
         table_text(&t, "%s", s->name);
         table_number(&t, x.error);
-        table_text(&t, x.rays > 0 ? "%.3g" : "-", x.rays / (pixels * most));
+        table_number(&t, x.rays / (pixels * most));
         table_number(&t, x.seconds * 1e3), table_number(&t, efficiency);
         table_number(&t, efficiency * naive.error * naive.error * naive.seconds);
     }
