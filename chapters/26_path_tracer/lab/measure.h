@@ -76,8 +76,8 @@ static inline double measure_square(const measure_place *m, const film *f)
     return sum / (double)n;
 }
 
-/* The rays of first_path, by a walk that takes the same random numbers. Where nothing hides the lamp
- * a point of it brings light if, and only if, a shadow ray is sent to it. */
+/* The rays of first_path, by a walk that takes the same random numbers. Where nothing hides the
+ * lamp a point of it brings light if, and only if, a shadow ray is sent to it. */
 static inline size_t measure_first_rays(const first_scene *s, const first_scene *open, ray r,
                                         random_stream *random)
 {
