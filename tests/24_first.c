@@ -193,7 +193,7 @@ static void test_camera(void)
     }
 }
 
-/* Its rays, as the chapter's table counts them, are those of light by area, which has its points. */
+/* Its rays, as the page's table counts them, are those of light by area, which has its points. */
 static void test_rays_counted(void)
 {
     direct_survey s;

@@ -223,7 +223,7 @@ static void test_odd_input(void)
     check(vzero(first_path(&s, r, &random)), "a ray without direction meets nothing");
 }
 
-/* What counts its rays goes its way: as many numbers are drawn. Of five a hit the last has three, if
+/* What counts its rays goes its way: as many numbers are drawn. Of five a hit the last has three if
  * it ends the path, or five, if it leads out of the box; a ray to the lamp is sent or is not. */
 static void test_rays(void)
 {
