@@ -138,7 +138,11 @@ static void test_degenerate(void)
     const char *text = drawn(&p);
     check(occurrences(text, "translate(320.0,370.0)\" fill=\"white\"") == 1,
           "a y of 0 on a log axis: hollow, on the bottom edge");
+    check(strstr(text, ">hollow: 0<") != NULL, "and the legend says what that is");
     check(!strstr(text, "M80.0,50.0L560.0,370.0"), "no line leads past it");
+    p = plot_new("", "", "", 0);
+    plot_series(&p, ""), plot_add(&p, 0, 0, 0), plot_add(&p, 0, 1, 1);
+    check(!strstr(drawn(&p), "hollow"), "on a linear axis a 0 is a mark like any other");
 }
 
 static void test_labels(void)

@@ -8,8 +8,8 @@
  *
  * Each series has its own mark and its own colour of M. Okabe, K. Ito, "Color Universal Design",
  * 2008, which the colour-blind can tell apart; from the ninth on these come again, dashed and with
- * another mark. A y <= 0 on a logarithmic axis is drawn as a hollow mark on the bottom edge; lines
- * break there. Texts are UTF-8, names some 28 characters long.
+ * another mark. A y <= 0 on a logarithmic axis is drawn as a hollow mark on the bottom edge, as the
+ * legend then says; lines break there. Texts are UTF-8, names some 28 characters long.
  */
 #ifndef PLOT_H
 #define PLOT_H
@@ -65,7 +65,7 @@ static inline void plot_slope(plot *p, double slope, const char *name)
 }
 
 /* Values (on a logarithmic axis their logarithms) lowest .. highest lie at places from .. to. */
-typedef struct { double lowest, highest, from, to; bool log; } plot_axis;
+typedef struct { double lowest, highest, from, to; bool log, hollow; } plot_axis;
 
 static inline double plot_value(plot_axis a, double v) { return a.log ? log10(v) : v; }
 
@@ -86,11 +86,11 @@ static inline double plot_step(plot_axis a)
 static inline plot_axis plot_range(const plot *p, bool y, double from, double to)
 {
     bool log = (p->flags & (y ? PLOT_LOG_Y : PLOT_LOG_X)) != 0;
-    plot_axis a = {log ? HUGE_VAL : 0, log ? -HUGE_VAL : 0, from, to, log};
+    plot_axis a = {log ? HUGE_VAL : 0, log ? -HUGE_VAL : 0, from, to, log, false};
     for (size_t i = 0; i < p->n; i++) {
         double v = plot_value(a, y ? p->points[i].y : p->points[i].x);
-        if (isfinite(v) && v < a.lowest) a.lowest = v;
-        if (isfinite(v) && v > a.highest) a.highest = v;
+        a.hollow |= !isfinite(v);
+        if (isfinite(v)) a.lowest = fmin(a.lowest, v), a.highest = fmax(a.highest, v);
     }
     if (a.lowest > a.highest) a.lowest = a.highest = 0;           /* nothing to show */
     if (a.highest - a.lowest < 1e-100) a.highest = a.lowest + 1;  /* one value only */
@@ -199,6 +199,7 @@ cold_inline void plot_write(const plot *p, FILE *out)
     fprintf(out, "<path d=\"M80,50H560V370H80Z\" fill=\"none\" stroke=\"black\"/>\n");
     for (int k = 0; k < p->slopes; k++) plot_reference(p, out, k, ax, ay);
     for (int s = 0; s < p->series; s++) plot_curve(p, out, s, ax, ay);
+    if (ay.hollow) plot_text(out, 604, 66 + 20 * (p->series + p->slopes), "", "hollow: 0");
     fprintf(out, "</svg>\n");
 }
 #endif
