@@ -64,7 +64,7 @@ cold_inline html_report *html_begin(const options *o, const char *path, const ch
         "th, td:first-child { background: #f4f4f4; }\n"
         "td:first-child, th:first-child { position: sticky; left: 0; }\n"
         "img, svg { max-width: 100%; height: auto; }\n"
-        "@media (max-width: 900px) { .wide > svg { max-width: none; } }\n";
+        "@media (max-width: 900px) { .wide > svg, .wide > img { max-width: none; } }\n";
     failure f;
     struct utsname u;
     html_report *r = allocate(1, sizeof *r);
@@ -135,7 +135,7 @@ static inline void html_table(const html_report *r, table *t)
     output_extra_table(r->o, t);
 }
 
-/* On a narrow screen it is scrolled rather than shrunk. */
+/* On a narrow screen plots and pictures are scrolled rather than shrunk: their labels stay legible. */
 static inline void html_plot(const html_report *r, plot *p, const char *name)
 {
     if (r->body) fprintf(r->body, "<div class=\"wide\">");
@@ -163,11 +163,11 @@ static inline void html_picture(const html_report *r, const image *im, const cha
     uint8_t *rgb = image_bytes(im, &bad);
     if (out) png_write(out, rgb, im->width, im->height);
     if (!out || fclose(out) != 0) die(1, "%s: no room for a picture", r->path);
-    fprintf(r->body, "<figure><img alt=\"");
+    fprintf(r->body, "<figure><div class=\"wide\"><img alt=\"");
     html_escaped(r->body, caption);
     fprintf(r->body, "\" src=\"data:image/png;base64,");
     html_base64(r->body, (const unsigned char *)png, n);
-    fprintf(r->body, "\">");
+    fprintf(r->body, "\"></div>");
     html_element(r, "figcaption", caption);
     fprintf(r->body, "</figure>\n");
     free(rgb), free(png);

@@ -16,7 +16,7 @@
 
 /* Scenes, one after the other, of the same line-up. */
 typedef struct { const line_up *chosen; comparison *of; size_t n, room; } measured_scenes;
-enum { chart_wide = 430, chart_row = 24, chart_bar_most = 190, chart_left = 90 };  /* pixels */
+enum { chart_wide = 430, chart_row = 24, chart_bar_most = 170, chart_left = 110 };  /* pixels */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -190,8 +190,8 @@ static inline void chart_row_of(FILE *out, const comparison *s, const compare_en
         end = second > end ? second : end;
         snprintf(text, sizeof text, "%.*f, %.*f", its < 100, its, build < 100, build);
     }
-    plot_text(out, end + 6, y + 15, "font-size=\"11\"", text);
-    plot_text(out, chart_left - 6, y + 15, strlen(e->choice->label) > 12
+    plot_text(out, end + 6, y + 15, "font-size=\"12\"", text);
+    plot_text(out, chart_left - 6, y + 15, strlen(e->choice->label) > 14
               ? "font-size=\"9\" text-anchor=\"end\"" : "font-size=\"12\" text-anchor=\"end\"",
               e->choice->label);
 }
@@ -221,7 +221,10 @@ static inline void summary_chart(const measured_scenes *m, const html_report *to
     html_element(to, "h2", "What a ray costs, and what building costs");
     html_element(to, "p", "Blue: a ray [ns], the median, and how far its quartiles are apart. "
                  "Orange: building [ns a shape]. A broken bar is longer than there is room.");
-    for (size_t k = 0; to->body && k < m->n; k++) chart_scene(to->body, &m->of[k]);
+    if (!to->body) return;
+    fprintf(to->body, "<div class=\"wide\">\n");
+    for (size_t k = 0; k < m->n; k++) chart_scene(to->body, &m->of[k]);
+    fprintf(to->body, "</div>\n");
 }
 
 #endif
