@@ -86,11 +86,19 @@ static inline size_t torture_add(torture_score *s, const torture *t, hit *h)
     return wrong;
 }
 
+/* "-": none of them takes part. */
+static inline void torture_cell(table *out, bool asked, size_t wrong)
+{
+    if (asked) table_count(out, wrong);
+    else table_text(out, "-");
+}
+
 /* Asks all who take part about a class. A row: structures together; the worst first version. */
 static inline void torture_row(const compare_settings *c, const char *folder, const char *who,
                                int k, torture_score *score, table *out)
 {
     size_t wrong = 0, first = 0;
+    int firsts = 0;
     compare_progress("torture", "asking about", torture_list[k].name);
     torture t = torture_make(k, c->o->quick ? 60 : 2000, c->o->seed);
     if (folder && !who) torture_write(&t, folder, k);
@@ -100,10 +108,11 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
         size_t w = torture_add(&score[j], &t, torture_ask(one, c->most_bytes, &t));
         if (!contender_is_first(one->c)) wrong += w;
         else if (w > first) first = w;
+        firsts += contender_is_first(one->c);
     }
     table_text(out, "%s", torture_list[k].name), table_text(out, "%s", torture_list[k].what);
-    table_count(out, wrong);
-    if (!who) table_count(out, first);
+    torture_cell(out, who || firsts < c->chosen.n, wrong);
+    if (!who) torture_cell(out, firsts > 0, first);
     torture_free(&t);
 }
 
