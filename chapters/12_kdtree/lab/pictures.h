@@ -53,6 +53,8 @@ static inline vec3 final_colour(const void *picture, real x, real y)
 cold_inline void draw_final(const options *o)
 {
     enum { gap = 8 };
+    static const char *const title[2] = {"the first hit is final: orange is wrong",
+                                         "kept until the next cell begins behind it"};
     int side = o->quick ? 40 : 400;
     kdtree_options how = kdtree_defaults;
     trial_scene s;
@@ -68,10 +70,7 @@ cold_inline void draw_final(const options *o)
         image_place(&all, k * (side + gap), 0, &im);
         trial_unbuild(&r);
     }
-    if (!o->quick) {
-        label_tag(&all, 8, 8, 11, "the first hit is final: orange is wrong");
-        label_tag(&all, side + gap + 8, 8, 11, "kept until the next cell begins behind it");
-    }
+    if (!o->quick) label_titles(&all, 2, 1, gap, title);
     output_picture(o, &all, "12_kdtree_final.png", false, whole);
     image_free(&all), image_free(&im), trial_scene_free(&s);
 }
