@@ -89,10 +89,13 @@ cold_inline void draw_quadtree(const options *o)
     quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, false);
     for (size_t i = 0; i < m.triangles; i++)
         quadtree_line(&g, m.v[3 * i], m.v[3 * i + 1], FIGURE_BLACK, 2.5);
-    quadtree_line(&g, r.o, ray_at(r, h.t), FIGURE_RED, 2);
+    vec3 end = ray_at(r, h.t);
+    quadtree_line(&g, r.o, end, FIGURE_RED, 2);
     quadtree_cells(&g, &t, 0, (octree_cell){0, 0, 0, 0}, &trail, true);
     figure_dot(&g, (double)r.o.x, (double)r.o.y, 4, FIGURE_RED);
     figure_text(&g, (double)r.o.x, (double)r.o.y, 8, -4, FIGURE_LEFT, FIGURE_RED, "*o*");
+    figure_dot(&g, (double)end.x, (double)end.y, 4, FIGURE_BLACK);
+    figure_text(&g, (double)end.x, (double)end.y, 10, 0, FIGURE_LEFT, FIGURE_BLACK, "hit");
     figure_end(&g);
     octree_free(&t), mesh_free(&m);
 }
