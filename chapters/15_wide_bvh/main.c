@@ -1,12 +1,13 @@
 /* 15_wide_bvh: the tree of boxes, eight wide: rung by rung, and what watertight costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapters/15_wide_bvh/main.c -lm -lpthread
  *
- * Without options: the teapot, the drawing, the ladder, rays at cracks. --full: all tables.
+ * Without options: two pictures, the ladder on a teapot, rays at cracks. --full: all tables.
  * --mesh FILE.obj: that mesh, a picture only. */
 #include "../07_mesh/files/obj.h"
 #include "../09_aabb/trials/pictures.h"
 #include "lab/figure.h"
 #include "lab/measure.h"
+#include "lab/steps.h"
 #include "lab/stream.h"
 
 static void measure(const options *o, bool large)
@@ -40,7 +41,8 @@ int main(int argc, char **argv)
     trial_scene s;
     trial_scene_of(m, &s);
     how.threads = o.threads;
-    trial_draw_mesh(&o, &s, &bvh8_trial, &how, !path, "15_wide_bvh.png", path);
+    if (path) trial_draw_mesh(&o, &s, &bvh8_trial, &how, false, "15_wide_bvh.png", path);
+    else draw_steps(&o, &s);
     if (!o.own && !o.out) draw_lanes(&o), measure(&o, false);
     if (!o.own && !o.out && o.full) measure(&o, true);
     trial_scene_free(&s);

@@ -135,7 +135,7 @@ static inline void html_table(const html_report *r, table *t)
     output_extra_table(r->o, t);
 }
 
-/* On a narrow screen plots and pictures are scrolled rather than shrunk: their labels stay legible. */
+/* On a narrow screen plots and pictures are scrolled, not shrunk: labels stay legible. */
 static inline void html_plot(const html_report *r, plot *p, const char *name)
 {
     if (r->body) fprintf(r->body, "<div class=\"wide\">");
