@@ -18,7 +18,7 @@ typedef struct {
 static material both_look(const void *world, trace_hit x, const surface *s)
 {
     whitted_look room;
-    return first_world_look(world, x, s, &room)->base;
+    return first_world_look(world, &x, s, &room)->base;
 }
 
 /* All of it moved by `far` along each axis. */

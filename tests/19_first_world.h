@@ -17,15 +17,15 @@ typedef struct { whitted_stage on; const first_scene *s; } first_world;
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Of a board, the square that s->p lies in. */
-static inline const whitted_look *first_world_look(const void *context, trace_hit x,
+static inline const whitted_look *first_world_look(const void *context, const trace_hit *x,
                                                    const surface *s, whitted_look *room)
 {
     const first_world *w = context;
-    const first_thing *t = &w->s->thing[x.h.shape];
+    const first_thing *t = &w->s->thing[x->h.shape];
     vec3 q = vsub(s->p, t->corner);
     real n = (real)t->m.checks;
     int odd = (int)(vdot(t->ua, q) * n) + (int)(vdot(t->vb, q) * n);
-    *room = w->on.look[x.h.shape];
+    *room = w->on.look[x->h.shape];
     if (odd % 2) room->base.kd = vscale(room->base.kd, 0.15);
     return room;
 }

@@ -42,7 +42,7 @@ static inline any_hit_answer contact_any(const tracer *t, ray r, trace_hit x, vo
     whitted_look room;
     if (x.h.shape == notes->shape && x.part == notes->part) return ANY_HIT_IGNORE;
     surface s = surface_of_trace(t, r, x);
-    uint32_t body = w->material_of(w->context, x, &s, &room)->body;
+    uint32_t body = w->material_of(w->context, &x, &s, &room)->body;
     real along = vdot(s.n, notes->d);
     if (body) notes->full |= !media_crossing_add(notes->c, body, along < 0 ? 1 : -1);
     else if (notes->opaque.h.shape == no_shape || hit_before(x.h, notes->opaque.h))
@@ -63,7 +63,7 @@ static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
     if (notes.opaque.h.shape != no_shape) {
         surface on = surface_of_trace(t, across, notes.opaque);
         *s = on;
-        *m = w->material_of(w->context, notes.opaque, &on, room);
+        *m = w->material_of(w->context, &notes.opaque, &on, room);
     }
     return reach;
 }

@@ -51,7 +51,7 @@ static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, v
     const whitted *w = t->user;
     whitted_look room;
     surface s = surface_of_trace(t, r, x);
-    *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
+    *(real *)payload *= w->material_of(w->context, &x, &s, &room)->shadow;
     return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;
 }
 
@@ -110,7 +110,7 @@ static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit 
 {
     const whitted *w = t->user;
     surface s = surface_of_trace(t, b->r, *x);
-    p->m = w->material_of(w->context, *x, &s, &p->room);
+    p->m = w->material_of(w->context, x, &s, &p->room);
     p->more = 0;
     if (p->m->body) {
         media_crossing c = {0};

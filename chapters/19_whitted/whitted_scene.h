@@ -35,7 +35,7 @@ typedef struct {
     const light *lights;
     int n;
     /* May fill *room and return it, or return what it has. */
-    const whitted_look *(*material_of)(const void *context, trace_hit x, const surface *s,
+    const whitted_look *(*material_of)(const void *context, const trace_hit *x, const surface *s,
                                        whitted_look *room);
     const void *context;
     const medium *media;  /* media.h; [0]: around everything */

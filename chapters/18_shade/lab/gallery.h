@@ -116,12 +116,14 @@ static inline camera gallery_camera(real T, real aspect, bool close)
     return camera_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, close ? 7 : 27, aspect);
 }
 
+static vec3 gallery_along(tracer *t, const ray *r) { return shade_ray(t, *r); }
+
 static inline traced_view gallery_view(const gallery *g, const shading *how, int w, int h,
                                        bool close)
 {
     return (traced_view){
-        .t = {.w = &g->w, .program = shade_programs, .user = how}, .ray = shade_ray, .width = w,
-        .height = h, .c = gallery_camera(g->T.x, (real)w / (real)h, close)};
+        .t = {.w = &g->w, .program = shade_programs, .user = how}, .along = gallery_along,
+        .width = w, .height = h, .c = gallery_camera(g->T.x, (real)w / (real)h, close)};
 }
 
 #endif

@@ -1,12 +1,13 @@
 /* traced_view.h: a picture by a tracer, and what rays it took: for 18 and 19.
  *
  *   trace_counts n = {0};
- *   traced_view v = {.t = tracer, .ray = shade_ray, .c = camera, .width = 800, .height = 450,
+ *   traced_view v = {.t = tracer, .along = f, .c = camera, .width = 800, .height = 450,
  *                    .counts = &n};
  *   pixels_draw(&im, 2, threads, "drawing", traced_colour, &v);    n: rays by kind
  *   panel p = {"a title", &v};        for panels.h, with traced_colour
  *
- *   ray         the light along one ray; the tracer is a copy of t
+ *   along       the light along one ray, read where it lies: a copy of the whole, right after it
+ *               was written, would wait; the tracer is a copy of t
  *   counts      NULL: nobody counts
  */
 #ifndef SHADE_TRACED_VIEW_H
@@ -18,7 +19,7 @@
 
 typedef struct {
     tracer t;
-    vec3 (*ray)(tracer *t, ray r);
+    vec3 (*along)(tracer *t, const ray *r);
     camera c;
     int width, height;
     trace_counts *counts;
@@ -31,7 +32,8 @@ static vec3 traced_colour(const void *view, real x, real y)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     const traced_view *v = view;
     tracer t = v->t;
-    vec3 c = v->ray(&t, camera_ray(v->c, x, y, v->width, v->height));
+    ray r = camera_ray(v->c, x, y, v->width, v->height);
+    vec3 c = v->along(&t, &r);
     if (v->counts) {
         pthread_mutex_lock(&lock);
         trace_counts_add(v->counts, &t.counts);

@@ -14,10 +14,11 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 static vec3 whitted_from_air(tracer *t, ray r) { return whitted_ray(t, r, (media_set){0}); }
+static vec3 whitted_along(tracer *t, const ray *r) { return whitted_from_air(t, *r); }
 
 static inline traced_view whitted_view(const whitted_stage *s, camera c, int w, int h)
 {
-    return (traced_view){.t = stage_tracer(s), .ray = whitted_from_air, .c = c, .width = w,
+    return (traced_view){.t = stage_tracer(s), .along = whitted_along, .c = c, .width = w,
                          .height = h};
 }
 

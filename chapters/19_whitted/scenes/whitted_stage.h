@@ -57,13 +57,13 @@ static inline whitted_look whitted_clear(uint32_t body, real keep)
     return x;
 }
 
-static inline const whitted_look *stage_look(const void *context, trace_hit x,
+static inline const whitted_look *stage_look(const void *context, const trace_hit *x,
                                              const surface *s, whitted_look *room)
 {
     const whitted_stage *w = context;
     (void)room;
     bool odd = ((int)floor(w->checks * s->p.x) + (int)floor(w->checks * s->p.y)) & 1;
-    return x.h.shape == 0 && odd ? &w->odd : &w->look[x.h.shape];
+    return x->h.shape == 0 && odd ? &w->odd : &w->look[x->h.shape];
 }
 
 static inline void stage_add(whitted_stage *s, shape x, whitted_look look)

@@ -27,12 +27,12 @@ static inline uint32_t classic_number(const classic *c, trace_hit x)
     return studio_hit_material(&c->e->t, (studio_hit){x.h, c->e->t.world.part[x.part].id});
 }
 
-static inline const whitted_look *classic_look(const void *context, trace_hit x, const surface *s,
-                                               whitted_look *room)
+static inline const whitted_look *classic_look(const void *context, const trace_hit *x,
+                                               const surface *s, whitted_look *room)
 {
     const classic *c = context;
     (void)s, (void)room;
-    return &c->look[classic_number(c, x)];
+    return &c->look[classic_number(c, *x)];
 }
 
 static inline material classic_material(const void *context, trace_hit x, const surface *s)
