@@ -721,11 +721,30 @@ static void test_cut(void)
 
 /* ---- the loop -------------------------------------------------------------------------------- */
 
+/* The light along r if no face is left out: no part of the world has a name. */
+static vec3 nothing_left_out(stage *w, ray r)
+{
+    tracer t = stage_tracer(w);
+    w->part[0].id = w->part[1].id = world_unnamed;
+    vec3 L = whitted_from_air(&t, r);
+    w->part[0].id = w->part[1].id = 0;
+    return L;
+}
+
+/* Does the ray of the eye end on what its children can't meet again? */
+static bool left_for_good(stage *w, ray r)
+{
+    tracer t = stage_tracer(w);
+    whitted_branch eye = whitted_eye(r, (media_set){0});
+    whitted_place p;
+    return whitted_find(&t, &eye, &p) && p.face.item != no_shape;
+}
+
 /* The same rays, and the same light but for the order of the sums. Ends the stage. */
 static void test_loop(const char *name, stage *w, camera c)
 {
     tracer a = stage_tracer(w), b = a;
-    size_t n = check_count(1000);
+    size_t n = check_count(1000), differ = 0, left = 0;
     double worst = 0;
     w->w.least = (real)1 / 1024, w->w.depth = 12;
     for (size_t i = 0; i < n; i++) {
@@ -734,8 +753,12 @@ static void test_loop(const char *name, stage *w, camera c)
         ray r = camera_ray(c, x, y, 100, 75);
         vec3 u = whitted_from_air(&a, r), v = whitted_ray_loop(&b, r, (media_set){0});
         worst = check_worse(worst, (double)(vlength(vsub(u, v)) / (1 + vlength(u))));
+        vec3 all = nothing_left_out(w, r);
+        differ += memcmp(&u, &all, sizeof u) != 0, left += left_for_good(w, r);
     }
     check_at_most(worst, 64 * (double)real_epsilon, "%s: loop against recursion", name);
+    check_equal(differ, 0, "%s: nothing is left out that would be met", name);
+    check_at_least(left, n / 4, "%s: faces are left out", name);
     for (int k = 0; k < ray_kinds; k++)
         check_equal(b.counts.rays[k], a.counts.rays[k], "%s: %s rays", name, ray_kind_names[k]);
     check_at_least(a.counts.rays[RAY_REFLECTION], n / 10, "%s: a tree", name);

@@ -23,9 +23,11 @@
  *   tracer t = {&world, programs, user}; world.h; one a thread: it counts the rays of each kind
  *   part.opaque = true;                  of the world: no any_hit is asked, all that is met counts
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
- *   bool met = trace_find(&t, kind, &r, &payload, &x);   the same, and its hit in x, where r ends
- *                                 then (neither if the kind asks for the first); closest_hit and
- *                                 miss aren't called
+ *   bool met = trace_find(&t, kind, but, &r, &payload, &x);   the same, and its hit in x, where r
+ *                                 ends then (neither if the kind asks for the first); closest_hit
+ *                                 and miss aren't called. But: world.h; any_hit may be asked of it
+ *   bool back = trace_may_return(&t, &x, &s);   may what leaves (18.10) hit x, to the side of s.n,
+ *                                 meet it again? Not what is flat, nor a ball, from outside
  *
  * Equal t, a NaN: as world.h has it. any_hit is called in no particular order, perhaps twice for
  * one hit, only for candidates that would be the best; NULL accepts all, which is faster. NULL for
@@ -68,7 +70,8 @@ static const char *const ray_kind_names[ray_kinds] = {"camera", "shadow", "refle
                                                       "refraction", "sight"};
 
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
-static inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x);
+static inline bool trace_find(tracer *t, ray_kind kind, world_but but, ray *r, void *payload,
+                              trace_hit *x);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -80,6 +83,16 @@ fast_inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
     const items *of = &p->tree.x;
     return of->m ? surface_of_mesh(of->m, x.h)
                  : surface_of_shape(&of->s->shapes[x.h.shape], r, x.h);
+}
+
+/* All of a flat thing lies in the plane through s.p, all of a ball behind it. */
+fast_inline bool trace_may_return(const tracer *t, const trace_hit *x, const surface *s)
+{
+    const items *of = &t->w->part[x->part].tree.x;
+    const shape *on = of->m ? NULL : &of->s->shapes[x->h.shape];
+    if (on && on->kind == SHAPE_SPHERE) return !(vdot(s->n, vsub(s->p, on->sphere.c)) > 0);
+    return on && on->kind != SHAPE_TRIANGLE
+        && !(on->kind == SHAPE_POLYGON && polygon_is_flat(&on->polygon));
 }
 
 /* For kinds with an any_hit: a walk of its own, box by box, with a question at each candidate. */
@@ -139,8 +152,8 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
 
 /* world_find for kinds with an any_hit. */
 __attribute__((noinline))
-static bool trace_find_asking(const tracer *t, const ray_program *g, ray *r, void *payload,
-                              trace_hit *x)
+static bool trace_find_asking(const tracer *t, const ray_program *g, const world_but *but, ray *r,
+                              void *payload, trace_hit *x)
 {
     bool met = false;
     for (uint32_t k = 0; k < t->w->parts; k++) {
@@ -149,7 +162,8 @@ static bool trace_find_asking(const tracer *t, const ray_program *g, ray *r, voi
         bool end = false, found;
         if (!(p->mask & g->mask)) continue;
         if (p->opaque) {
-            found = bvh8_ask_at(&p->tree, r, bvh8_skip_none, g->first ? NULL : &best, NULL);
+            bvh8_skip skip = world_skip(*but, p->id);
+            found = bvh8_ask_at(&p->tree, r, skip, g->first ? NULL : &best, NULL);
         } else {
             trace_asking a = {t, g, k, *r, payload, query_of(*r), false, false};
             trace_ask(&a, &p->tree);
@@ -163,11 +177,12 @@ static bool trace_find_asking(const tracer *t, const ray_program *g, ray *r, voi
     return met;
 }
 
-fast_inline bool trace_find(tracer *t, ray_kind kind, ray *r, void *payload, trace_hit *x)
+fast_inline bool trace_find(tracer *t, ray_kind kind, world_but but, ray *r, void *payload,
+                            trace_hit *x)
 {
     const ray_program *g = &t->program[kind];
-    bool met = g->any_hit ? trace_find_asking(t, g, r, payload, x)
-                          : world_find(t->w, g->mask, world_but_none, r, g->first ? NULL : x);
+    bool met = g->any_hit ? trace_find_asking(t, g, &but, r, payload, x)
+                          : world_find(t->w, g->mask, but, r, g->first ? NULL : x);
     t->counts.rays[kind]++, t->counts.hits[kind] += met;
     return met;
 }
@@ -178,7 +193,7 @@ static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
     const ray_program *g = &t->program[kind];
     trace_hit x;
-    bool met = trace_find(t, kind, &own, payload, &x);
+    bool met = trace_find(t, kind, world_but_none, &own, payload, &x);
     if (!met && g->miss) g->miss(t, r, payload);
     if (met && !g->first && g->closest_hit) g->closest_hit(t, r, x, payload);
     return met;

@@ -11,6 +11,8 @@
  *                                     face that it left (18.10), `from`, and the lamp at its end,
  *                                     faces `first` to `last`, each of the part of that id;
  *                                     no_shape: none
+ *   world_left(world_face_of(&w, &x))   only the face of hit x; of a part without an id: none. Who
+ *                                     gives two parts one id says that they number alike
  *
  * Equal t: the lower part, then the lower shape wins (hit.h). No part, a NaN: false. x.h.t in units
  * of r.d. Each part is a search of its tree, O(log n) for most scenes.
@@ -24,7 +26,7 @@ typedef struct {
     bvh8 tree;           /* of tree.x.m or tree.x.s; the other is NULL */
     uint8_t mask;        /* seen by kinds whose mask shares a bit */
     bool opaque;         /* trace.h: no any_hit is asked about it */
-    uint32_t id;         /* what world_but calls it; 0, unless its user says something else */
+    uint32_t id;         /* what world_but calls it; world_unnamed, unless its user says so */
 } world_part;
 
 typedef struct { const world_part *part; size_t parts; } trace_world;
@@ -32,6 +34,9 @@ typedef struct { hit h; uint32_t part; } trace_hit;  /* h.shape: within the part
 
 typedef struct { uint32_t from_part, from, to_part, first, last; } world_but;
 #define world_but_none ((world_but){no_shape, no_shape, no_shape, no_shape, no_shape})
+typedef struct { uint32_t part, item; } world_face;  /* part: its id */
+#define world_no_face ((world_face){no_shape, no_shape})
+#define world_unnamed (no_shape - 1)
 
 enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
 
@@ -40,7 +45,7 @@ enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
 /* What the items are of must outlive the part. O(n log n). */
 static inline bool world_part_build(items x, uint8_t mask, world_part *out, failure *f)
 {
-    *out = (world_part){.mask = mask};
+    *out = (world_part){.mask = mask, .id = world_unnamed};
     return bvh8_build(&x, bvh8_defaults, &out->tree, f);
 }
 
@@ -69,6 +74,17 @@ fast_inline bvh8_skip world_skip(world_but but, uint32_t id)
     bool to = but.to_part == id;
     return (bvh8_skip){but.from_part == id ? but.from : no_shape, to ? but.first : no_shape,
                        to ? but.last : no_shape};
+}
+
+fast_inline world_face world_face_of(const trace_world *w, const trace_hit *x)
+{
+    uint32_t id = w->part[x->part].id;
+    return (world_face){id, id == world_unnamed ? no_shape : x->h.shape};
+}
+
+fast_inline world_but world_left(world_face from)
+{
+    return (world_but){from.part, from.item, no_shape, no_shape, no_shape};
 }
 
 /* The hit is written where it shall lie: a struct handed over as a whole right after its fields

@@ -54,6 +54,7 @@ static inline void whitted_go_on(const whitted_branch *b, const whitted_place *p
     child->r.o = leave_point(surface_copy(&p->s), side, p->more), child->r.d = lifted(d, side);
     child->r.tmin = 0, child->r.tmax = real_infinity;
     child->in = b->in, child->depth = b->depth + 1, child->kind = kind, child->number = b->number;
+    child->left = kind == RAY_REFLECTION ? p->face : world_no_face;
 }
 
 /* What is traced on: 0 to 2 branches, the reflected one last. */
@@ -98,7 +99,8 @@ static inline vec3 whitted_trace(tracer *t, whitted_branch *b)
 
 static inline whitted_branch whitted_eye(ray r, media_set in)
 {
-    return (whitted_branch){ray_unit(r), {1, 1, 1}, {1, 1, 1}, in, 1, RAY_CAMERA, -1};
+    return (whitted_branch){ray_unit(r), {1, 1, 1}, {1, 1, 1}, in, 1, RAY_CAMERA, world_no_face,
+                            -1};
 }
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)

@@ -30,6 +30,7 @@ typedef struct {
     media_set in;       /* the bodies that it begins in; where it ends, as far as that tells */
     int depth;
     ray_kind kind;
+    world_face left;    /* it can't meet it */
     int number;         /* of this ray, for the log; before that, of the one that it came from */
 } whitted_branch;
 
@@ -40,6 +41,7 @@ typedef struct {
     uint32_t inside, beyond;    /* bodies that fill the place before and behind */
     media_set after;            /* of glass: what is refracted is in there */
     real more;                  /* contact.h */
+    world_face face;            /* that s is of, if what leaves it can't meet it again */
     vec3 left;                  /* share that the way here let through */
 } whitted_place;
 
@@ -94,7 +96,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
                                        : leave(surface_copy(s), L->at);
         real lit = 1;
         trace_hit any;
-        if (trace_find(t, RAY_SHADOW, &r, &lit, &any)) lit = 0;
+        world_but but = world_left(counts ? p->face : world_no_face);
+        if (trace_find(t, RAY_SHADOW, but, &r, &lit, &any)) lit = 0;
         if (w->log)
             w->log->add(w->log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
         if (counts && lit > 0)
@@ -126,6 +129,8 @@ static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit 
     }
     p->inside = media_fills(w->media, &b->in);
     p->s = surface_facing(surface_copy(&s), b->r.d);
+    p->face = p->more > 0 || trace_may_return(t, x, &p->s) ? world_no_face
+                                                           : world_face_of(t->w, x);
 }
 
 static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
@@ -134,7 +139,7 @@ static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
     const real end = b->r.tmax;
     for (p->left = (vec3){1, 1, 1};;) {
         trace_hit x;
-        bool met = trace_find(t, b->kind, &b->r, NULL, &x);
+        bool met = trace_find(t, b->kind, world_left(b->left), &b->r, NULL, &x);
         b->r.tmax = end;
         if (w->log) b->number = w->log->add(w->log, b->kind, b->number, b->depth, b->r,
                                             met ? x.h.t : real_infinity,

@@ -208,7 +208,7 @@ static inline void lit_end(lit_scene *s)
     of->m = s->m, of->shapes = (scene){s->shape, s->shapes};
     world_part_of_mesh(&of->m, MASK_ALL, &of->part[0]);
     world_part_of_scene(&of->shapes, MASK_ALL, &of->part[1]);
-    of->part[1].id = 1;
+    of->part[0].id = 0, of->part[1].id = 1;
     s->world = (trace_world){of->part, s->shapes ? 2 : 1};
 }
 

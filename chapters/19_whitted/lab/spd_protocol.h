@@ -48,7 +48,7 @@ static inline void spd_trace(tracer *t, const world *w, ray_kind kind, ray r, in
 {
     trace_hit x;
     bool mirrors;
-    if (depth > spd_depth || !trace_find(t, kind, &r, NULL, &x)) return;
+    if (depth > spd_depth || !trace_find(t, kind, world_but_none, &r, NULL, &x)) return;
     surface s = surface_of_trace(t, r, x);
     finish f = world_finish(w, x.h.shape);
     bool entering = vdot(s.n, r.d) < 0;

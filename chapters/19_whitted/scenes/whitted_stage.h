@@ -111,13 +111,16 @@ static inline tracer stage_tracer(const whitted_stage *s)
 static inline tracer stage_begin(whitted_stage *s, int depth)
 {
     s->scene[0] = (scene){s->shape, s->n}, s->scene[1] = (scene){s->caster, 0};
+    const shape nothing = shape_of_sphere((sphere){.r = (real)NAN});  /* no tree holds it */
     world_part_of_scene(&s->scene[0], s->clear ? MASK_SEEN : MASK_ALL, &s->part[0]);
     if (s->clear) {
         for (size_t k = 0; k < s->n; k++)
-            if (s->look[k].shadow == 0) s->caster[s->scene[1].n++] = s->shape[k];
+            s->caster[k] = s->look[k].shadow == 0 ? s->shape[k] : nothing;
+        s->scene[1].n = s->n;
         world_part_of_scene(&s->scene[1], MASK_SHADOW, &s->part[1]);
         s->part[1].opaque = true;
     }
+    s->part[0].id = s->part[1].id = 0;  /* of both shape k is the same */
     s->world = (trace_world){s->part, s->clear ? 2 : 1};
     s->media[0].ior = 1;
     s->w.media = s->media, s->w.lights = s->light, s->w.depth = depth;
