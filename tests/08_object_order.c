@@ -376,6 +376,40 @@ static void test_strange(void)
     raster_free(&s), raster_free(&s);
 }
 
+/* A corner is projected up to raster_reach steps off the picture's upper left, on each side, and
+ * not beyond, nor from behind the eye. At depth 1 a pixel is one unit of 256 steps. */
+static void test_reach(void)
+{
+    raster s = raster_new(side, side);
+    raster_job j = raster_begin(&s, front(side, side), raster_default);
+    raster_point q;
+    for (int k = 0; k < 4; k++) {
+        real most = (real)(raster_reach / 256) * (real)(k % 2 ? 1 : -1);
+        for (int beyond = 0; beyond < 2; beyond++) {
+            real x = most * (real)(1 + beyond), y = side - x;
+            raster_corner c = {{k < 2 ? x : 5, k < 2 ? 5 : y, -1}, 0, 0};
+            check(raster_project(&j, c, &q) == !beyond, "%g, %g", (double)c.p.x, (double)c.p.y);
+        }
+        check_equal(k < 2 ? q.x : q.y, k % 2 ? raster_reach : -raster_reach, "steps");
+    }
+    check(!raster_project(&j, (raster_corner){{5, 5, 1}, 0, 0}, &q), "behind the eye");
+    raster_free(&s);
+}
+
+/* The rectangle of a triangle: middles of pixels from 2 to 10, and 4 to 21 down from the top. */
+static void test_asked(void)
+{
+    vec3 v[3] = {{2, 3, -1}, {10, 5, -1}, {4, side - 4, -1}};
+    uint32_t index[3] = {0, 1, 2};
+    mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
+    raster s = raster_new(side, side);
+    for (int k = 1; k <= 2; k++) {
+        raster_mesh(&s, &m, front(side, side), raster_default);
+        check_equal(s.asked, (size_t)k * (10 - 2) * (side - 3 - 4), "pixels asked, of %d", k);
+    }
+    raster_free(&s);
+}
+
 /* ---- first.h: right where a triangle is parallel to the picture and away from its edges; wrong in
  * depth and weights of a slanted one, at shared edges, behind the eye ---- */
 
@@ -498,5 +532,6 @@ int main(void)
 {
     return check_all("08_object_order", test_cover, test_rays, test_planes, test_clip,
                      test_clip_in_plane, test_depths, test_shadow, test_mirror, test_strange,
-                     test_parallel, test_slanted, test_shared, test_behind);
+                     test_reach, test_asked, test_parallel, test_slanted, test_shared,
+                     test_behind);
 }

@@ -219,8 +219,23 @@ static void test_room(void)
     check(!structure_is_full(&s, 1, 1), "room in the cell");
 }
 
+/* Of every power of two and the largest number: a power of two, finite as 1 / it is, that leaves
+ * [1/2, 1) where the exponent is within 1000 (100 in float). */
+static void test_direction_scale(void)
+{
+    int most = real_is_float ? 100 : 1000, last = real_is_float ? 128 : 1024;
+    for (int e = real_is_float ? -148 : -1073; e <= last; e++) {
+        real d = e < last ? ldexp((real)0.5, e) : real_largest, s = direction_scale(d);
+        int of;
+        check(frexp(s, &of) == (real)0.5 && isfinite(s) && isfinite(1 / s), "2^%d", e - 1);
+        int due = abs(e - 1) <= 20 ? 0 : e > most ? most : e < -most ? -most : e;
+        check_equal(of - 1, due, "exponent of the scale of 2^%d", e - 1);
+    }
+}
+
 int main(void)
 {
     return check_all("09_shapes", test_full_mantissa, test_triangle_in_its_box, test_volumes,
-                     test_known_volumes, test_volumes_touched, test_delta, test_room);
+                     test_known_volumes, test_volumes_touched, test_delta, test_direction_scale,
+                     test_room);
 }

@@ -651,6 +651,12 @@ static void test_pad_formula(void)
     check_close(p.by_origin, third * eps * 260, 8 * eps * eps * 260, "what the ray pays");
     check_close(p.fixed, third * (260 * eps * far + 2 * eps * world), 8 * eps * eps * 260 * far,
                 "what the box pays, with an exact inverse");
+    affine turn, lean = {{1, 0, 0}, {3, 1, 0}, {0, 0, 1}, {0, 0, 0}};  /* |M| = |A| = 4, k = 7 */
+    check(instance_inverse(lean, &turn), "so has this");
+    p = placing_of(lean, turn, V);
+    check_close(p.by_origin, third * eps * (256 * 16 + 4 * 7), 8 * eps * eps * 4124, "of a shear");
+    p = (placing){.by_origin = 2, .fixed = 3};
+    check_equal(placing_pad(&p, (vec3){1, -5, 4}), 2 * 5 + 3, "and a ray from 5 off");
     const struct { real shear; bool sure; } shears[] = {{1 / (8 * eps), false},
                                                         {1 / (32 * eps), true}};
     for (int i = 0; i < 2; i++) {  /* E = 0, k = 1 + 2 shear: g = 4 eps shear, 1/2 and 1/8 */
