@@ -45,6 +45,16 @@ static void judge_hit(const contender *c, const void *s, const items *x, ray r, 
     judge_point(c, s, x, p, near, more, v);
 }
 
+/* Of the book's structures it is known where they keep a shape; a reader's own need not say. */
+static bool must_tell(const contender *c)
+{
+    static const char *const type[] = {"grid", "nested", "octree", "kdtree", "bsp", "bvh", "bvh8",
+                                       "example"};
+    for (size_t k = 0; k < sizeof type / sizeof *type; k++)
+        if (strcmp(c->type, type[k]) == 0) return true;
+    return false;
+}
+
 static void judge_cells(const contender *c, const world *w, const items *x, aabb all)
 {
     failure f;
@@ -64,12 +74,12 @@ static void judge_cells(const contender *c, const world *w, const items *x, aabb
         judge_hit(c, s, x, rays.r[i], near, more, &v);
         judge_point(c, s, x, vadd(aabb_centre(all), vmul(at, half)), near, more, &v);
     }
-    bool none = c == &brute_contender || contender_is_first(c);
+    bool none = !c->cell(s, 0, all.lo, &cell);
     check_equal(v.off, 0, "%s, %s: cells that don't hold their shape's hit, of %zu", w->name,
                 c->name, v.on);
     check_equal(v.wrong, 0, "%s, %s: points that the search asks others at, of %zu", w->name,
                 c->name, v.judged);
-    check(none ? v.points == 0 : 8 * v.on > n && 2 * v.judged > v.points,
+    check(none ? !must_tell(c) : 8 * v.on > n && 2 * v.judged > v.points,
           "%s, %s: %zu points, %zu on shapes, %zu judged", w->name, c->name, v.points, v.on,
           v.judged);
     rays_free(&rays), contender_free(c, s);
