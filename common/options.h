@@ -56,9 +56,9 @@ static inline void option_help(const option *o)
     int n = printf("  --%s%s", o->name, option_kinds[o->kind].value);
     printf("%*s%s", n < 20 ? 20 - n : 1, "", o->what);
     if (o->lowest < o->highest) printf(" [%.16g to %.16g]", o->lowest, o->highest);
-    if (o->kind == OPTION_INT && *(const int *)v >= o->lowest)
-        printf(", default %d", *(const int *)v);
-    if (o->kind == OPTION_REAL) printf(", default %g", *(const double *)v);
+    double usual = o->kind == OPTION_INT ? *(const int *)v
+                   : o->kind == OPTION_REAL ? *(const double *)v : -HUGE_VAL;
+    if (usual >= o->lowest) printf(", default %.16g", usual);  /* below: none */
     if (o->kind == OPTION_SIZE && *(const int *)v)
         printf(", default %dx%d", *(const int *)v, ((const int *)v)[1]);
     printf("\n");

@@ -13,11 +13,12 @@ static void program(void *context)
     line *l = context;
     char *argv[most + 1] = {(char[]){"program"}};
     int argc = 1, edge = 8;
-    double eps = 0.5;
+    double eps = 0.5, time = 0;
     bool naive = false;
     const char *mesh = NULL;
     const option own[] = {{"edge", OPTION_INT, &edge, -5, 64, "samples along an edge"},
                           {"eps", OPTION_REAL, &eps, 0, 1e6, "a tolerance"},
+                          {"time", OPTION_REAL, &time, 1e-3, 9, "seconds"},
                           {"naive", OPTION_FLAG, &naive, 0, 0, "the textbook form"},
                           {"mesh", OPTION_TEXT, &mesh, 0, 0, "a file"}, {0}};
     for (int i = 0; i < most && l->argument[i]; i++)
@@ -236,6 +237,7 @@ static void test_help(void)
     static const char *const lines[] = {
         "  --edge N          samples along an edge [-5 to 64], default 8\n",
         "  --eps X           a tolerance [0 to 1000000], default 0.5\n",
+        "  --time X          seconds [0.001 to 9]\n",  /* 0 is not allowed: no default */
         "  --naive           the textbook form\n", "  --mesh TEXT       a file\n",
         "  --size WxH        of the main picture, pixels [1 to 16384], default 640x480\n",
         "  --seed N          of the random numbers [0 to 2147483647], default 7\n",

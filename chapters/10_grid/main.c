@@ -13,7 +13,7 @@ int main(int argc, char **argv)
     const char *path = NULL;
     grid_options how = grid_defaults;
     const option own[] = {
-        {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape, 1e-3 to 1e4"},
+        {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape"},
         {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
     options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
                              (options){.width = 960, .height = 330, .seed = 1}, own);
