@@ -226,7 +226,7 @@ cold_inline options options_read(int argc, char **argv, const char *name, const 
     }
     if (help) {  /* first of all, while the values are the defaults */
         printf("%s: %s\n\nusage: %s %s[options]\n", name, about, name,
-               option_input(own) ? "[FILE] " : "");
+               !option_input(own) ? "" : option_input(own)->highest > 1 ? "[FILE ..] " : "[FILE] ");
         for (int l = 0; l < 2; l++)
             for (const option *k = lists[l]; k && k->name; k++) option_help(k);
         exit(0);
