@@ -5,6 +5,7 @@
 #include "27_files.h"
 #include "../chapters/27_effects/appearance.h"
 #include "../common/random.h"
+#include <dirent.h>
 #include <time.h>
 
 static random_stream rng;
@@ -410,6 +411,31 @@ static void test_scene(void)
     studio_free(&s);
 }
 
+/* All that lie in scenes/: read without a note; of box.scene what its book has. */
+static void test_shipped(void)
+{
+    const char *where = "chapters/27_effects/scenes/";
+    DIR *folder = opendir(where);
+    size_t read = 0;
+    for (struct dirent *x; folder && (x = readdir(folder));) {
+        char path[400];
+        studio s;
+        failure f;
+        if (!strstr(x->d_name, ".scene")) continue;
+        if (!strcmp(x->d_name, "showpiece.scene")) continue;  /* its teapot: make showpiece */
+        snprintf(path, sizeof path, "%s%s", where, x->d_name);
+        bool ok = studio_read(path, NULL, &s, &f);
+        check(ok, "%s", f.text);
+        if (!ok) continue;
+        check_equal(s.note_count, 0, "%s: notes", path);
+        if (!strcmp(x->d_name, "box.scene"))
+            check(s.shapes == 12 && s.emitters == 1, "five walls, a lamp, five faces, a ball");
+        studio_free(&s), read++;
+    }
+    if (folder) closedir(folder);
+    check_at_least(read, 12, "scenes");
+}
+
 /* What the command line says comes last and replaces. */
 static void test_words(void)
 {
@@ -610,7 +636,7 @@ int main(void)
     if (!mkdtemp(directory)) abort();
     int failed = check_all("27_readers", test_mtl, test_mtl_broken, test_many_materials,
                            test_notes, test_exports, test_nff, test_nff_rest,
-                           test_nff_broken, test_patches, test_scene, test_words,
+                           test_nff_broken, test_patches, test_scene, test_shipped, test_words,
                            test_scene_broken, test_black_sky, test_box, test_includes);
     remove_directory();
     return failed;
