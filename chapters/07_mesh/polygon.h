@@ -128,7 +128,8 @@ static inline void edge_nearest(vec3 a, vec3 b, polygon_walk *w)
  * them as the origin does:
  *             z = ((xr) zl + (-xl) zr) / (xr - xl),   xl <= 0 <= xr                      (7.16)
  * If one of them is as near as rounding moves a corner, 3 epsilon D (18.6), it is taken itself. */
-static inline real polygon_depth_in_doubt(polygon p, const ray_shear *s, real near, real far)
+__attribute__((noinline, cold))
+static real polygon_depth_in_doubt(polygon p, const ray_shear *s, real near, real far)
 {
     polygon_walk x = {{-real_infinity, 0, near}, {real_infinity, 0, far}}, y = x;
     vec3 a = shear_corner(&p.v[p.n - 1], s), lo = a, hi = a;
@@ -166,14 +167,14 @@ static void polygon_in_doubt(polygon p, const ray_shear *s, bool *odd, bool *tou
  * modulo 2, and what is left is the crossings of the outer border: odd, if the ray passes within.
  * So an odd number of polygons, at least one, finds itself crossed an odd number of times,
  * whatever the rounding did. */
-static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit *out)
+static inline bool polygon_hit_sheared(const polygon *p, const ray_shear *s, ray r, hit *out)
 {
-    if (vzero(p.normal)) return false;  /* fewer than three corners, too */
+    if (p->n < 3) return false;
     bool odd = false, touched = false;
-    vec3 a = shear_corner(&p.v[p.n - 1], s);
+    vec3 a = shear_corner(&p->v[p->n - 1], s);
     real near = a.z, far = a.z, least = real_infinity, sum = 0;
-    for (uint32_t i = 0; i < p.n; i++) {
-        vec3 b = shear_corner(&p.v[i], s);
+    for (uint32_t i = 0; i < p->n; i++) {
+        vec3 b = shear_corner(&p->v[i], s);
         real e = a.x * b.y - a.y * b.x;  /* edge_of without a branch: each would be a coin toss */
         bool up = b.y > 0;
         odd ^= ((a.y > 0) != up) & ((e > 0) == up);
@@ -182,15 +183,16 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
         a = b;
     }
     if (!(least > real_smallest / real_epsilon && sum <= real_largest))  /* or it touches: e = 0 */
-        polygon_in_doubt(p, s, &odd, &touched);
-    if (!odd && !touched) return false;
+        polygon_in_doubt(*p, s, &odd, &touched);
+    if ((!odd && !touched) || vzero(p->normal)) return false;
 
     /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
-    vec3 c = shear_corner(&p.centre, s);
-    real nd = vdot(p.normal, r.d), steep = nd * s->sz;
+    const real *n = (const real *)&p->normal;  /* vaxis copies the three */
+    vec3 c = shear_corner(&p->centre, s);
+    real nd = vdot(p->normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
-    real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
-    if (!(fabs(steep) >= (real)p.trust)) z = polygon_depth_in_doubt(p, s, near, far);
+    real z = c.z + (n[s->kx] * c.x + n[s->ky] * c.y) / steep;
+    if (!(fabs(steep) >= (real)p->trust)) z = polygon_depth_in_doubt(*p, s, near, far);
     real t = real_clamp(z, near, far) * s->sz;
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
     *out = (hit){t, 0, 0, 0};
@@ -200,7 +202,7 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
 static inline bool polygon_hit(polygon p, ray r, hit *out)
 {
     ray_shear s = shear_of(r);
-    return polygon_hit_sheared(p, &s, r, out);
+    return polygon_hit_sheared(&p, &s, r, out);
 }
 
 #endif

@@ -62,7 +62,7 @@ static inline bool shape_hit_sheared(const shape *s, const ray_shear *k, ray r, 
     case SHAPE_SPHERE: return sphere_hit(s->sphere, r, out);
     case SHAPE_TRIANGLE: return triangle_hit_sheared(s->triangle, k, r, out);
     case SHAPE_CONE: return cone_hit(s->cone, r, out);
-    case SHAPE_POLYGON: return polygon_hit_sheared(s->polygon, k, r, out);
+    case SHAPE_POLYGON: return polygon_hit_sheared(&s->polygon, k, r, out);
     case SHAPE_OTHER: return s->other->hit(s->other->self, r, out);
     }
     return false;
