@@ -24,7 +24,7 @@ static void judge_point(const contender *c, const void *s, const items *x, vec3 
     size_t inside = 0;
     v->points++;
     for (uint32_t i = 0; i < x->n; i++) {
-        if (!c->cell(s, i, p, &cell)) continue;
+        if (!contender_cell(c, s, i, p, &cell)) continue;
         if (fabs(cell.outside) <= near) return;
         inside += cell.outside < 0;
     }
@@ -40,7 +40,7 @@ static void judge_hit(const contender *c, const void *s, const items *x, ray r, 
     item_cell cell;
     if (!items_hit(x, r, &h)) return;
     vec3 p = ray_at(r, h.t);
-    c->cell(s, h.shape, p, &cell);
+    contender_cell(c, s, h.shape, p, &cell);
     v->on++, v->off += !(cell.outside <= near);
     judge_point(c, s, x, p, near, more, v);
 }
@@ -68,13 +68,13 @@ static void judge_cells(const contender *c, const world *w, const items *x, aabb
     ray_set rays = rays_everywhere(w, n, 3);
     real size = vlargest(vsub(all.hi, all.lo)), reach = size + aabb_reach(all);
     real near = reach * ((real)0x1p-18 + 4096 * real_epsilon);
-    for (size_t i = 0; c->cell(s, 0, all.lo, &cell) && i < n; i++) {
+    bool none = !contender_cell(c, s, 0, all.lo, &cell);
+    for (size_t i = 0; !none && i < n; i++) {
         random_stream g = random_start(4, i, 0);
         vec3 at = random_in_cube(&g, 1), half = vscale(vsub(all.hi, all.lo), (real)0.5);
         judge_hit(c, s, x, rays.r[i], near, more, &v);
         judge_point(c, s, x, vadd(aabb_centre(all), vmul(at, half)), near, more, &v);
     }
-    bool none = !c->cell(s, 0, all.lo, &cell);
     check_equal(v.off, 0, "%s, %s: cells that don't hold their shape's hit, of %zu", w->name,
                 c->name, v.on);
     check_equal(v.wrong, 0, "%s, %s: points that the search asks others at, of %zu", w->name,
@@ -372,17 +372,12 @@ static void test_border_found(void)
     broken_free(b);
 }
 
-/* Without the verb. */
-static bool no_cell(const void *s, uint32_t item, vec3 p, item_cell *out)
-{
-    return (void)s, (void)item, (void)p, (void)out, false;
-}
-
+/* Of a type that has no X_cell_of. */
 static void test_no_cell(void)
 {
     broken *b = broken_new("example", teapot_mesh(4));
     example *e = b->s;
-    b->c.cell = no_cell, e->box[0].hi = e->box[0].lo;
+    b->c.type = "other", e->box[0].hi = e->box[0].lo;
     check_said(b, "no cell", " itself: x ", "not listed there, or the search does not come there",
                "nowhere");
     broken_free(b);

@@ -475,7 +475,7 @@ static void test_lost_way(patient *p, bool any)
     check_close(begins, (double)p->due.t - 3, 16 * (double)real_epsilon,
                 "%s: lost from more than 3 away: %s", right.name, text);
     item_cell cell;
-    bool known = p->c.cell(p->e.s, p->due.shape, ray_at(p->r, p->due.t), &cell);
+    bool known = contender_cell(&p->c, p->e.s, p->due.shape, ray_at(p->r, p->due.t), &cell);
     check(strstr(text, " itself") && !strstr(text, "not listed")
           && (!known || strstr(text, "box that lists it: x ")),
           "%s: it is where it should be: %s", right.name, text);

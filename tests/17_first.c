@@ -1,4 +1,4 @@
-/* 17's first.h: five structures, and brute force: the same hits on easy rays, those of 07's
+/* 17's first.h: six structures, and brute force: the same hits on easy rays, those of 07's
  * mesh_hit; nothing to hold, one triangle, 2000 at one place, none of any area, rays that are none. */
 #include "check.h"
 #include "../common/random.h"

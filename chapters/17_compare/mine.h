@@ -3,8 +3,9 @@
  *     make mine-17 MINE=my.h
  *     build/mine-17/17_compare --verify --only mine     that alone, all rays by brute force
  * It must be called mine, with mine_options, and needs no #include: items and query are those of
- * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. mine_cell_of helps to
- * explain a lost hit; without one write: #define mine_cell_of NULL */
+ * 09_aabb/items.h, and 09_aabb/structure.h says what its verbs have to do. With
+ * MINE_CELL, mine_cell_of tells --verify where a shape is listed, when its hit is lost. */
+#define MINE_CELL
 
 typedef struct { size_t most_bytes; } mine_options;
 typedef struct { items x; aabb all, *box; structure_stats stats; } mine;

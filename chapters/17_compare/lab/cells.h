@@ -9,8 +9,8 @@
  *   item_cell_at(box, p), item_cell_none     what such a function returns
  *
  * A bsp's cell has slanted walls: c.box knows only those across the axes, c.outside knows all.
- * X_cell_of NULL: there is none. So it is of brute force, which is the oracle, and of the first
- * versions, whose faults are counted, not explained.
+ * Brute force, which is the oracle, and the first versions, whose faults are counted, not explained,
+ * have none.
  */
 #ifndef COMPARE_LAB_CELLS_H
 #define COMPARE_LAB_CELLS_H
@@ -26,8 +26,6 @@
 typedef struct { aabb box; real outside; } item_cell;
 
 #define item_cell_none ((item_cell){aabb_empty(), real_infinity})
-#define brute_cell_of NULL
-#define first_items_cell_of NULL
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
 /* contenders.h: the structures that are compared. A new one, with X_search and the verbs that
- * 09_aabb/structure.h makes of it, is one #include and one line of the list below, and X_cell_of of
- * cells.h, or `#define X_cell_of NULL`; example.h is a whole one, to begin with.
+ * 09_aabb/structure.h makes of it, is one #include and one line of the list below; example.h is a
+ * whole one, to begin with. If it has X_cell_of, too (cells.h), CELL(X) tells --verify.
  *
  *   LINE(id, "name", X, options, role)     id of its own; name for tables and --only; X is the type
  *                                          and the prefix of its verbs; X_options have a member
@@ -14,8 +14,8 @@
  *                                    hit; any: hits[i] has t = 0, shape 0 where occluded. The verbs
  *                                    call it with one ray: what is proved is what is timed
  *   c->counted(s, r, any, &h, &w)    is there a hit? What it took is added to w
- *   c->cell(s, item, p, &cell)       the box or cell nearest to p of those that list the item, by
- *                                    X_cell_of (cells.h); false: that is NULL
+ *   contender_cell(c, s, item, p, &cell)    the box or cell nearest to p of those that list the
+ *                                    item, by X_cell_of (cells.h); false: it has none
  *   contender_free(c, s)
  */
 #ifndef COMPARE_CONTENDERS_H
@@ -32,6 +32,11 @@
     LINE(mine, "mine", mine, ((mine_options){0}), CONTENDER_USUAL)
 #else
 #define CONTENDER_MINE(LINE)
+#endif
+#ifdef MINE_CELL
+#define CONTENDER_MINE_CELL(CELL) CELL(mine)
+#else
+#define CONTENDER_MINE_CELL(CELL)
 #endif
 
 /* The defaults are tuned to triangles, whose test mostly ends at the first comparison. That of a
@@ -58,10 +63,15 @@
     ALSO(first_kdtree, "first-kdtree", first_items, first_items_how(kdtree), CONTENDER_FIRST)     \
     ALSO(first_bsp, "first-bsp", first_items, first_items_how(bsp), CONTENDER_FIRST)              \
     ALSO(first_bvh, "first-bvh", first_items, first_items_how(bvh), CONTENDER_FIRST)              \
+    ALSO(first_wide, "first-wide", first_items, first_items_how(wide), CONTENDER_FIRST)           \
     /* As in the published results of the SPD: so many cells an item, so deep. */                 \
     ALSO(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), CONTENDER_NAMED)             \
     ALSO(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), CONTENDER_NAMED)          \
     ALSO(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), CONTENDER_NAMED)
+
+#define CONTENDER_CELLS(CELL)                                                                     \
+    CELL(grid) CELL(nested) CELL(octree) CELL(kdtree) CELL(bsp) CELL(bvh) CELL(bvh8)              \
+    CELL(example) CONTENDER_MINE_CELL(CELL)
 
 /* In every table, plot, picture and proof; likewise, but may be wrong: counted, marked, no error;
  * only if asked for. */
@@ -83,9 +93,11 @@ typedef struct {
     bool (*counted)(const void *s, ray r, bool any, hit *out, search_work *w);
     size_t (*search)(const void *s, const ray *r, size_t n, bool any, hit *out);
     structure_stats (*stats)(const void *s);
-    bool (*cell)(const void *s, uint32_t item, vec3 p, item_cell *out);
     void (*free)(void *s);
 } contender;
+
+typedef struct { const char *type; item_cell (*of)(const void *s, uint32_t item, vec3 p); }
+    contender_cells;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -127,8 +139,7 @@ static inline void contender_set(void *members, const contender_settings *how)
         return X##_build(x, how, out, f);                                                       \
     }                                                                                           \
     static const contender id##_contender = {text, #X, its_role, sizeof(X), id##_c_build,       \
-        X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_cell,        \
-        X##_c_free};
+        X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_free};
 /* The verbs of X, and the first who uses them. */
 #define CONTENDER_LINE(id, text, X, options, its_role)                                          \
     __attribute__((noinline))                                                                   \
@@ -156,11 +167,6 @@ static inline void contender_set(void *members, const contender_settings *how)
         return X##_search(s, r, any, out, w);                                                   \
     }                                                                                           \
     static structure_stats X##_c_stats(const void *s) { return X##_stats(s); }                  \
-    static bool X##_c_cell(const void *s, uint32_t item, vec3 p, item_cell *out)                \
-    {                                                                                           \
-        item_cell (*cell_of)(const X *, uint32_t, vec3) = X##_cell_of;                          \
-        return cell_of && (*out = cell_of(s, item, p), true);                                   \
-    }                                                                                           \
     static void X##_c_free(void *s) { X##_free(s); }                                            \
     CONTENDER_ALSO(id, text, X, options, its_role)
 CONTENDERS(CONTENDER_LINE, CONTENDER_ALSO)
@@ -174,6 +180,24 @@ static inline const contender *contender_find(const char *name)
     for (int k = 0; k < contenders; k++)
         if (strcmp(contender_list[k]->name, name) == 0) return contender_list[k];
     return NULL;
+}
+
+#define CONTENDER_CELL(X)                                                                       \
+    static item_cell X##_c_cell(const void *s, uint32_t item, vec3 p)                           \
+    {                                                                                           \
+        return X##_cell_of(s, item, p);                                                         \
+    }
+CONTENDER_CELLS(CONTENDER_CELL)
+#define CONTENDER_CELL_PLACE(X) {#X, X##_c_cell},
+static const contender_cells contender_cell_list[] = {CONTENDER_CELLS(CONTENDER_CELL_PLACE)};
+
+static inline bool contender_cell(const contender *c, const void *s, uint32_t item, vec3 p,
+                                  item_cell *out)
+{
+    for (size_t k = 0; k < sizeof contender_cell_list / sizeof *contender_cell_list; k++)
+        if (strcmp(contender_cell_list[k].type, c->type) == 0)
+            return *out = contender_cell_list[k].of(s, item, p), true;
+    return false;
 }
 
 static inline bool contender_is_first(const contender *c) { return c->role == CONTENDER_FIRST; }

@@ -1,7 +1,7 @@
 /* oracles.h: brute force, which is the oracle, and the structures of first.h, which may be wrong:
  * with the verbs that all structures share (09_aabb/structure.h).
  *
- *   first_items_how(bvh)     brute, grid .. bvh: one of them is built
+ *   first_items_how(bvh)     brute, grid .. wide: one of them is built
  *
  * The first versions hold triangles only, do not say what they hold, and count tests, not steps.
  */
@@ -68,6 +68,7 @@ static inline bool first_items_build(const items *x, first_items_options how, fi
     case first_use_kdtree: first_kdtree_build(&out->m, &out->c.kdtree); break;
     case first_use_bsp: first_bsp_build(&out->m, &out->c.bsp); break;
     case first_use_bvh: out->c.bvh = first_bvh_build(&out->m, true); break;
+    case first_use_wide: out->c.wide = first_wide_build(&out->m); break;
     default: break;
     }
     return true;

@@ -159,7 +159,7 @@ static inline void explain_shape(const items *x, const wrong_answer *w, real wid
     vec3 p = ray_at(w->r, w->due.t);
     if (!items_bounds(x, k, &b)) return;
     item_cell own = item_cell_at(b, p);
-    bool known = w->c->cell(w->s, k, p, &c), listed = c.outside < real_infinity;
+    bool known = contender_cell(w->c, w->s, k, p, &c), listed = c.outside < real_infinity;
     bool alike = vzero(vsub(c.box.lo, b.lo)) && vzero(vsub(c.box.hi, b.hi));
     fprintf(out, "  shape %u itself%s: ", k, alike ? ", and the box that lists it" : "");
     if (alike || !known) {
