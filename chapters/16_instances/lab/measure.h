@@ -9,16 +9,18 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../09_aabb/trials/survey.h"
+#include "first_forest.h"
 #include "flattened.h"
 #include "forest.h"
 
 typedef struct {
     const char *name;
     instances_boxes boxes;
-    bool flat, unit;
+    bool flat, unit, first;
     instances x;                 /* or, flattened: */
     mesh m;
     bvh8 b;
+    first_forest f;              /* or, by first.h, this */
     double bytes;                /* without normals */
     ray_set eye;                 /* to be timed with */
     double entered;              /* of these: instances looked into a ray */
@@ -29,6 +31,10 @@ typedef struct {
 static inline void method_build(instances_method *m, const crowd *c)
 {
     failure f;
+    if (m->first) {
+        m->f = first_forest_of(c), m->bytes = (double)first_forest_bytes(&m->f);
+        return;
+    }
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
     if (m->flat) m->m = crowd_flattened(c);
@@ -42,13 +48,15 @@ static inline void method_build(instances_method *m, const crowd *c)
 
 static inline void method_free(instances_method *m)
 {
-    instances_free(&m->x), bvh8_free(&m->b), mesh_free(&m->m);
+    instances_free(&m->x), bvh8_free(&m->b), mesh_free(&m->m), first_forest_free(&m->f);
 }
 
 /* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
 fast_inline bool method_hit(const instances_method *m, ray r, instance_hit *out,
                             instances_work *work)
 {
+    if (m->first && work) work->upper.tests += m->f.n;
+    if (m->first) return first_forest_hit(&m->f, r, &out->h);
     if (m->flat) return bvh8_ask(&m->b, r, bvh8_skip_none, &out->h, work ? &work->lower : NULL);
     return instances_walk(&m->x, r, false, m->unit, out, work);
 }
@@ -63,8 +71,9 @@ static inline double method_search(void *context)
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
- * many have another answer than every instance asked in turn. Flattened, t alone is compared,
- * within 64 epsilon of the largest coordinate: at a corner it may well be another triangle. */
+ * many have another answer than every instance asked in turn. Flattened, and by first.h, t
+ * alone is compared, within 64 epsilon of the largest coordinate: at a corner it may well be another
+ * triangle. */
 static inline void methods_wrong(instances_method *m, int methods, vec3 to, size_t n,
                                  uint64_t seed, size_t *wrong)
 {
@@ -88,7 +97,7 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
         for (int k = 0; k < methods; k++) {
             instance_hit h = {hit_none, 0};
             bool got = method_hit(&m[k], r, &h, NULL), same;
-            if (m[k].flat) same = fabs(h.h.t - due.t) * vlength(r.d) <= bound;
+            if (m[k].flat || m[k].first) same = fabs(h.h.t - due.t) * vlength(r.d) <= bound;
             else same = h.h.t == due.t && h.h.shape == due.shape && h.instance == which;
             wrong[k] += is != got || (is && !same);
         }
@@ -125,9 +134,9 @@ static inline ray_set eye_rays(const options *o)
 
 static inline void table_of_methods(const options *o)
 {
-    enum { n = 5 };
+    enum { n = 6 };
     instances_method m[n] = {
-        {"flattened, one tree", .flat = true}, {"boxes of points", .boxes = INSTANCES_POINTS},
+        {"first.h", .first = true}, {"flattened, one tree", .flat = true}, {"boxes of points", .boxes = INSTANCES_POINTS},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
     double ns[n];
@@ -140,7 +149,7 @@ static inline void table_of_methods(const options *o)
     methods_wrong(m, n, (vec3){4e7, 4e7, 0}, corners, o->seed, far);  /* once round the earth [m] */
     for (int i = 0; i < n; i++) method_build(&m[i], &c);
     methods_time(m, n, eye, o, ns);
-    double triangles = flattened_triangles(&m[1].x);
+    double triangles = flattened_triangles(&m[2].x);
     char title[160];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
              "answers of %zu at corners", c.n, triangles, eye.n, corners);
