@@ -1,4 +1,4 @@
-/* first_forest.h: a crowd of several meshes by first.h: a first_crowd of each, every instance asked.
+/* first_forest.h: a crowd of several meshes by first.h, a first_crowd of each: all instances asked.
  *
  *   first_forest f = first_forest_of(&crowd)        first_forest_free(&f)
  *   bool first_forest_hit(&f, r, &h)                h.shape: a triangle of its mesh

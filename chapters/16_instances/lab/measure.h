@@ -72,7 +72,7 @@ static inline double method_search(void *context)
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
  * many have another answer than every instance asked in turn. Flattened, and by first.h, t
- * alone is compared, within 64 epsilon of the largest coordinate: at a corner it may well be another
+ * alone is compared, within 64 epsilon of the largest coordinate: at a corner it may be another
  * triangle. */
 static inline void methods_wrong(instances_method *m, int methods, vec3 to, size_t n,
                                  uint64_t seed, size_t *wrong)
@@ -136,7 +136,8 @@ static inline void table_of_methods(const options *o)
 {
     enum { n = 6 };
     instances_method m[n] = {
-        {"first.h", .first = true}, {"flattened, one tree", .flat = true}, {"boxes of points", .boxes = INSTANCES_POINTS},
+        {"first.h", .first = true}, {"flattened, one tree", .flat = true},
+        {"boxes of points", .boxes = INSTANCES_POINTS},
         {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
         {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
     double ns[n];

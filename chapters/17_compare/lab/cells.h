@@ -9,7 +9,7 @@
  *   item_cell_at(box, p), item_cell_none     what such a function returns
  *
  * A bsp's cell has slanted walls: c.box knows only those across the axes, c.outside knows all.
- * Brute force, which is the oracle, and the first versions, whose faults are counted, not explained,
+ * Brute force, which is the oracle, and first versions, whose faults are counted, not explained,
  * have none.
  */
 #ifndef COMPARE_LAB_CELLS_H
