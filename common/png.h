@@ -127,8 +127,8 @@ static inline void png_filter(uint8_t *out, const uint8_t *row, const uint8_t *a
 static inline uint32_t png_crc(const uint8_t *p, size_t n)
 {
     uint32_t crc = ~0u;
-    for (size_t i = 0; i < 8 * n; i++)
-        crc = (crc ^ (uint32_t)p[i / 8] >> i % 8) & 1 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+    for (size_t i = 0; i < 8 * n; i++)  /* a factor, not a branch, which would be a toss */
+        crc = crc >> 1 ^ ((crc ^ (uint32_t)p[i / 8] >> i % 8) & 1) * 0xedb88320u;
     return ~crc;
 }
 

@@ -67,7 +67,7 @@ static inline uint32_t passes_next(const film_passes *p, const film *f, const pa
                                    double begun)
 {
     uint64_t n = film_samples(f), next = n ? 2 * n : 1;
-    double now = film_error(f);
+    double now = g->error > 0 ? film_error(f) : 0;
     if (g->error > 0 && n >= 8 && now > g->error) {
         double wanted = (double)n * (now / g->error) * (now / g->error) * 1.02 + 1;
         if (wanted < (double)next) next = wanted > (double)n + 1 ? (uint64_t)wanted : n + 1;
