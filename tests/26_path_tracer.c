@@ -235,10 +235,12 @@ static void test_naive(void)
         for (size_t k = 0; k < n + n / 8; k++) {
             bool own = k >= n;
             path_random s = path_start(&how, 5 + own, (uint64_t)i, (uint32_t)k, 1u << 31);
+            sampler naive_own = sampler_start(how.sequence, 5, (uint64_t)i, (uint32_t)k, 1u << 31);
             point2 u = path_pair(&s);
+            naive_own.pair = 1;
             ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
             vec3 L = own ? path_radiance(&t, r, &s, &mine)
-                         : naive_radiance(&p, r, &s.pairs, &counts);
+                         : naive_radiance(&p, r, &naive_own, &counts);
             for (int ch = 0; ch < 3; ch++) {
                 found[ch] += !own && (double)vaxis(L, ch) > e[0][ch].mean / 2;
                 e[own][ch] = estimate_add(e[own][ch], (double)vaxis(L, ch));

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A ray's way through 26: the files whose functions path_radiance enters, and what these enter in turn, in
-# a scene: `sh tests/way.sh` lists them. In the Cornell box 25 at most; all are named in 26's MEASURED.md,
+# A ray's way through 26: the files whose functions path_start (a sample's random numbers) and path_radiance
+# enter, and what these enter in turn, in a scene: `sh tests/way.sh` lists them. In the Cornell box 25 at most; all are named in 26's MEASURED.md,
 # and it names no other. (gcc -finstrument-functions; addr2line says where a function is.)
 . tests/check.sh
 page=chapters/26_path_tracer/MEASURED.md
@@ -29,7 +29,9 @@ int main(int argc, char **argv)
     if (argc != 2 || !showcase_of(argv[1], 1, &c, &f)) return 1;
     path_tracer_of(&c.s, showcase_sky(&c), path_defaults, &t);
     for (int i = 0; i < 32 * 32; i++) {
+        inside = true;
         path_random s = path_start(&t.how, 1, (uint64_t)i, 0, 1);
+        inside = false;
         ray r = camera_ray(c.eye, (real)(i % 32), (real)(i / 32), 32, 32);
         path_pair(&s), inside = true, path_radiance(&t, r, &s, &n), inside = false;
     }

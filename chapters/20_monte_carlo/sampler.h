@@ -8,6 +8,8 @@
  *   sampler_keys of;                      where many samples of a pixel follow: what they share is
  *   sampler_keys_of(kind, seed, pixel, &of);           hashed once; `of` must outlive the sampler
  *   sampler s = sampler_of_keys(&of, k, n);            the same numbers
+ *   point2 pair[sampler_row];
+ *   sampler_row_of(&of, k, n, pair);      its first pairs; Sobol's side by side
  *
  *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
  *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
@@ -41,10 +43,11 @@ typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_SOB
                sequence_kinds } sequence_kind;
 static const char *const sequence_name[sequence_kinds] = {"random", "jittered", "Halton",
                                                           "Sobol', Owen"};
-enum { sampler_hashed = 6 };
+enum { sampler_hashed = 8, sampler_row = 4 };
 typedef struct {
     sequence_kind kind;
-    uint64_t own, key, pair[sampler_hashed], axes[sampler_hashed];
+    uint64_t own, key, pair[sampler_hashed];
+    uint32_t axis[2][sampler_hashed];  /* the seeds of both axes of a pair */
 } sampler_keys;
 typedef struct {
     sequence_kind kind;
@@ -72,15 +75,19 @@ static inline uint64_t sampler_key(const sampler *s, uint32_t pair)
     return random_mix(s->key + random_step * (pair + (uint64_t)1));
 }
 
+/* Loops of one operation, of which compilers make vectors. */
 static inline void sampler_keys_of(sequence_kind kind, uint64_t seed, uint64_t pixel,
                                    sampler_keys *out)
 {
     sampler s = sampler_start(kind, seed, pixel, 0, 1);
+    uint64_t pair[sampler_hashed], axes[sampler_hashed];
+    for (uint64_t k = 0; k < sampler_hashed; k++)
+        pair[k] = random_mix(s.key + random_step * (k + 1));
+    for (int k = 0; k < sampler_hashed; k++) axes[k] = random_mix(pair[k] + random_step);
     out->kind = kind, out->own = random_pixel(seed, pixel), out->key = s.key;
-    for (uint32_t k = 0; k < sampler_hashed; k++) {
-        out->pair[k] = sampler_key(&s, k);
-        out->axes[k] = random_mix(out->pair[k] + random_step);
-    }
+    for (int k = 0; k < sampler_hashed; k++) out->pair[k] = pair[k];
+    for (int k = 0; k < sampler_hashed; k++) out->axis[0][k] = (uint32_t)axes[k];
+    for (int k = 0; k < sampler_hashed; k++) out->axis[1][k] = (uint32_t)(axes[k] >> 32);
 }
 
 static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, uint32_t samples)
@@ -96,10 +103,14 @@ static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, ui
  * the bits, works, and reverses them back; so do coordinates of a point: once is enough. */
 static inline point2 sampler_sobol(const sampler *s, uint32_t pair)
 {
-    bool hashed = s->keys && pair < sampler_hashed;
     uint64_t key = sampler_key(s, pair);
-    uint64_t axes = hashed ? s->keys->axes[pair] : random_mix(key + random_step);
-    uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = s->sample;
+    uint32_t a, b, x = s->sample;
+    if (s->keys && pair < sampler_hashed) {
+        a = s->keys->axis[0][pair], b = s->keys->axis[1][pair];
+    } else {
+        uint64_t axes = random_mix(key + random_step);
+        a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
+    }
     if (pair > 0) x = reversed_bits(owen_reversed(s->reversed, (uint32_t)key));
     uint32_t y = sobol_index_of_y(x);
     x = reversed_bits(owen_reversed(x, a)), y = reversed_bits(owen_reversed(y, b));
@@ -142,6 +153,35 @@ static inline real sampler_number(sampler *s)
     uint64_t key = sampler_key(s, s->pair);
     s->own.dimension = 2 * (uint64_t)s->pair++;
     return jitter_line(s->sample, s->samples, key, &s->own);
+}
+
+/* sampler_sobol of all of them, step by step, each step a vector. */
+static inline void sampler_sobol_row(const sampler_keys *of, uint32_t sample, point2 *pair)
+{
+    enum { n = sampler_row };
+    const uint32_t *a = of->axis[0], *b = of->axis[1], reversed = reversed_bits(sample);
+    uint32_t x[n], y[n];
+    real u[n], v[n];
+    for (int k = 0; k < n; k++)
+        x[k] = reversed_bits(owen_reversed(reversed, (uint32_t)of->pair[k]));
+    x[0] = sample;
+    for (int k = 0; k < n; k++)
+        y[k] = reversed_bits(owen_reversed(sobol_index_of_y(x[k]), b[k]));
+    for (int k = 0; k < n; k++) x[k] = reversed_bits(owen_reversed(x[k], a[k]));
+    for (int k = 0; k < n; k++) u[k] = real_of_fraction(x[k], a[k]);
+    for (int k = 0; k < n; k++) v[k] = real_of_fraction(y[k], b[k]);
+    for (int k = 0; k < n; k++) pair[k] = (point2){u[k], v[k]};
+}
+
+static inline void sampler_row_of(const sampler_keys *of, uint32_t sample, uint32_t samples,
+                                  point2 *pair)
+{
+    if (of->kind == SEQUENCE_SOBOL) {
+        sampler_sobol_row(of, sample, pair);
+        return;
+    }
+    sampler s = sampler_of_keys(of, sample, samples);
+    for (int k = 0; k < sampler_row; k++) pair[k] = sampler_pair(&s);
 }
 
 #endif

@@ -57,7 +57,7 @@ typedef struct {
     bool spend_all;
 } path_options;
 
-enum { path_endless = 1 << 20, path_pairs = 4 };
+enum { path_endless = 1 << 20, path_pairs = sampler_row };
 #define path_defaults \
     ((path_options){SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false})
 
@@ -75,7 +75,7 @@ typedef struct {
 } path_tracer;
 
 typedef struct { sampler_keys keys; uint64_t own; } path_pixel;
-typedef struct { sampler pairs; random_stream own; uint32_t left; } path_random;
+typedef struct { point2 pair[path_pairs]; random_stream own; uint32_t used; } path_random;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -108,20 +108,23 @@ static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_
 
 static inline path_random path_sample(const path_pixel *p, uint32_t k, uint32_t n)
 {
-    return (path_random){sampler_of_keys(&p->keys, k, n), random_sample(p->own, k), path_pairs};
+    path_random r;
+    sampler_row_of(&p->keys, k, n, r.pair);
+    r.own = random_sample(p->own, k), r.used = 0;
+    return r;
 }
 
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
                                      uint32_t k, uint32_t n)
 {
-    path_random r = {.pairs = sampler_start(how->sequence, seed, pixel, k, n), .left = path_pairs};
-    r.own = random_start(seed ^ random_step, pixel, k);
-    return r;
+    path_pixel p;
+    path_pixel_of(how, seed, pixel, &p);
+    return path_sample(&p, k, n);
 }
 
 fast_inline point2 path_pair(path_random *r)
 {
-    if (r->left > 0) return r->left--, sampler_pair(&r->pairs);
+    if (r->used < path_pairs) return r->pair[r->used++];
     real u = random_next(&r->own), v = random_next(&r->own);
     return (point2){u, v};
 }

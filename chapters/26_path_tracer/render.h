@@ -25,26 +25,45 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The samples of one pixel; false: stopped before the last. What they share is hashed once; their
- * sums are local. */
-static inline bool render_pixel(const render_job *j, film *f, int x, int y, path_counts *c,
-                                size_t *refused)
+/* A row of a tile: of each of its pixels what all samples share, hashed once, and their sums. */
+typedef struct { path_pixel half[film_side][2]; film_pixel sum[film_side]; } render_row;
+
+/* Sample k of all pixels from (x0, y) to before x1. Their random numbers first: each of them is a
+ * long chain of products, and side by side they don't wait for one another. */
+static inline size_t render_samples(const render_job *j, render_row *row, film_window w, int y,
+                                    uint32_t k, path_counts *c)
 {
-    size_t i = (size_t)y * (size_t)f->width + (size_t)x;
-    path_pixel half[2];
-    film_pixel sum = {{{{{0, 0}}}}};
-    const film_range now = j->pass.now;
-    for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
-        path_pixel_of(&j->tracer->how, j->seed, 2 * i + k % 2, &half[k % 2]);
-    for (uint32_t k = now.begin; k < now.end; k++) {
-        if (parallel_is_stopped()) return false;
-        path_random s = path_sample(&half[k % 2], k / 2, 1u << 31);
-        point2 u = path_pair(&s);
-        ray eye = camera_ray(j->eye, (real)x + u.u, (real)y + u.v, f->width, f->height);
-        *refused += !film_pixel_add(&sum, k, path_radiance(j->tracer, eye, &s, c));
+    path_random s[film_side];
+    size_t refused = 0;
+    const film *f = j->pass.to;
+    for (int i = 0; i < w.x1 - w.x0; i++)
+        s[i] = path_sample(&row->half[i][k % 2], k / 2, 1u << 31);
+    for (int i = 0; i < w.x1 - w.x0; i++) {
+        point2 u = path_pair(&s[i]);
+        ray eye = camera_ray(j->eye, (real)(w.x0 + i) + u.u, (real)y + u.v, f->width, f->height);
+        vec3 L = path_radiance(j->tracer, eye, &s[i], c);
+        refused += !film_pixel_add(&row->sum[i], k, L);
     }
-    film_gather(f, i, &sum);
-    return true;
+    return refused;
+}
+
+/* A row of a tile; how many pixels it has: 0 if it was stopped before its last sample. */
+static inline int render_line(const render_job *j, film_window w, int y, path_counts *c,
+                              size_t *refused)
+{
+    render_row row;
+    const film_range now = j->pass.now;
+    size_t at = (size_t)y * (size_t)j->pass.to->width + (size_t)w.x0, n = (size_t)(w.x1 - w.x0);
+    for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
+        for (size_t i = 0; i < n; i++)
+            path_pixel_of(&j->tracer->how, j->seed, 2 * (at + i) + k % 2, &row.half[i][k % 2]);
+    memset(row.sum, 0, n * sizeof *row.sum);
+    for (uint32_t k = now.begin; k < now.end; k++) {
+        if (parallel_is_stopped()) return 0;
+        *refused += render_samples(j, &row, w, y, k, c);
+    }
+    for (size_t i = 0; i < n; i++) film_gather(j->pass.to, at + i, &row.sum[i]);
+    return w.x1 - w.x0;
 }
 
 static inline void render_tile(size_t tile, void *job)
@@ -55,8 +74,7 @@ static inline void render_tile(size_t tile, void *job)
     size_t refused = 0;
     film_window w = film_window_of(f, tile);
     for (int y = w.y0; y < w.y1; y++)
-        for (int x = w.x0; x < w.x1; x++)
-            f->done[tile] += render_pixel(j, f, x, y, &c, &refused);
+        f->done[tile] = (uint16_t)(f->done[tile] + render_line(j, w, y, &c, &refused));
     pthread_mutex_lock(&j->pass.lock);
     path_counts_add(&j->counts, &c);
     j->refused += refused;

@@ -108,12 +108,14 @@ static inline size_t measure_render(const measure_place *m, shot *s, const strat
             path_pixel_of(&y->how, s->j.seed, 2 * (uint64_t)i + k, &half[k]);
         for (uint32_t k = 0; k < samples; k++) {
             path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
+            sampler own = sampler_of_keys(&half[k % 2].keys, k / 2, 1u << 31);
             point2 u = path_pair(&r);
+            own.pair = 1;
             ray eye = camera_ray(s->c.eye, (real)(i % m->side) + u.u, (real)(i / m->side) + u.v,
                                  m->side, m->side);
             if (count) rays += measure_first_rays(&m->first, &m->open, eye, &r.own);
             else film_pixel_add(&sum, k, short_book ? first_path(&m->first, eye, &r.own)
-                           : y == strategy_list ? naive_radiance(&naive, eye, &r.pairs, &n)
+                           : y == strategy_list ? naive_radiance(&naive, eye, &own, &n)
                            : path_radiance(&s->t, eye, &r, &c));
         }
         film_gather(&s->film, (size_t)i, &sum);
