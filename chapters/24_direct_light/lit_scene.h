@@ -247,17 +247,29 @@ fast_inline void lit_found(const lit_scene *s, vec3 d, surface x, size_t place, 
     out->shines = out->emitter != lit_dark && (side < 0 || s->emitter[out->emitter].both);
 }
 
-/* out->s.shape: triangle, or m.triangles + shape. A ray that leaves triangle `from` never meets it
- * again (18.10): the search need not ask. */
-fast_inline bool lit_trace_at(const lit_scene *s, ray *r, uint32_t from, lit_hit *out)
+/* The search alone. A ray that leaves triangle `from` never meets it again (18.10): the search need
+ * not ask. */
+fast_inline bool lit_find(const lit_scene *s, ray *r, uint32_t from, trace_hit *x)
 {
     const world_but but = {0, from, 0, no_shape, no_shape};
+    return world_find(&s->world, MASK_ALL, but, r, x);
+}
+
+/* What was found. out->s.shape: triangle, or m.triangles + shape. */
+fast_inline void lit_hit_of(const lit_scene *s, const ray *r, const trace_hit *x, lit_hit *out)
+{
+    uint32_t k = x->h.shape;
+    if (x->part == 0)
+        lit_found(s, r->d, lit_surface(s, x->h), k, s->of_triangle[k], x->h.t, out);
+    else lit_found(s, r->d, surface_of_shape(&s->shape[k], *r, x->h), s->m.triangles + k,
+                   s->of_shape[k], x->h.t, out);
+}
+
+fast_inline bool lit_trace_at(const lit_scene *s, ray *r, uint32_t from, lit_hit *out)
+{
     trace_hit x;
-    if (!world_find(&s->world, MASK_ALL, but, r, &x)) return false;
-    uint32_t k = x.h.shape;
-    if (x.part == 0) lit_found(s, r->d, lit_surface(s, x.h), k, s->of_triangle[k], x.h.t, out);
-    else lit_found(s, r->d, surface_of_shape(&s->shape[k], *r, x.h), s->m.triangles + k,
-                   s->of_shape[k], x.h.t, out);
+    if (!lit_find(s, r, from, &x)) return false;
+    lit_hit_of(s, r, &x, out);
     return true;
 }
 

@@ -12,6 +12,8 @@
  *   path_tracer t;
  *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (24.12) or NULL
  *   vec3 L = path_radiance(&t, r, &s, &counts);            s: path_random; counts: {0} at first
+ *   path_first p; path_see(&t, r, &p, &counts);            the same in two steps: what r meets,
+ *   vec3 L = path_follow(&t, &p, &s, &counts);             and all that follows
  *   path_random s = path_start(&t.how, seed, pixel, k, n); sample k of n of a pixel; or, where many
  *   path_pixel p; path_pixel_of(&t.how, seed, pixel, &p);  follow, hashed once a pixel:
  *   path_random s = path_sample(&p, k, n);                 the same numbers
@@ -140,6 +142,9 @@ typedef struct {
     real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
     int bounces;
 } path_walk;
+
+/* The first ray of a path, and what it meets. */
+typedef struct { ray r; trace_hit h; bool met; } path_first;
 
 /* Field by field, and l in path_light not at all: a struct that is first cleared as a whole waits
  * for it. */
@@ -300,12 +305,20 @@ fast_inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit 
     return true;
 }
 
-/* What the ray meets, with what is left of beta there; false: nothing. */
-fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
+/* What the ray has met, with what is left of beta there. */
+fast_inline void path_hit(const path_tracer *t, path_walk *w, const trace_hit *h, lit_hit *x)
 {
-    if (!lit_trace_at(t->scene, &w->r, w->left, x)) return false;
+    lit_hit_of(t->scene, &w->r, h, x);
     if (t->glass && w->in)
         w->beta = vmul(w->beta, absorbed(w->in->absorb, x->t * vlength(w->r.d)));
+}
+
+/* False: nothing. */
+fast_inline bool path_meets(const path_tracer *t, path_walk *w, lit_hit *x)
+{
+    trace_hit h;
+    if (!lit_find(t->scene, &w->r, w->left, &h)) return false;
+    path_hit(t, w, &h, x);
     return true;
 }
 
@@ -325,11 +338,13 @@ fast_inline bool path_on(const path_tracer *t, path_walk *w, const lit_hit *x, p
     return true;
 }
 
-/* x is not cleared: that took 2.7 % of all time. */
-fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+/* What the ray brings from h, where it met something, and on from there; false: the path ends. x is
+ * not cleared: that took 2.7 % of all time. */
+fast_inline bool path_at(const path_tracer *t, path_walk *w, bool met, const trace_hit *h,
+                         path_random *s, path_counts *c)
 {
     lit_hit x;
-    bool met = path_meets(t, w, &x);
+    if (met) path_hit(t, w, h, &x);
     if (!met || x.shines) {
         vec3 L = vmul(w->beta, met ? path_found(t, w, &x) : path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
@@ -337,15 +352,40 @@ fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, p
     return met && path_on(t, w, &x, s, c);
 }
 
+fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+{
+    trace_hit h;
+    bool met = lit_find(t->scene, &w->r, w->left, &h);
+    return path_at(t, w, met, &h, s, c);
+}
+
+/* Its first ray. Those of neighbouring pixels, one after the other, take the same ways in the tree:
+ * render.h searches them in a row, and each path goes on from there. */
+static inline void path_see(const path_tracer *t, ray eye, path_first *p, path_counts *c)
+{
+    p->r = eye, p->met = false;
+    c->paths++;
+    if (t->dark) return;
+    c->camera++;
+    p->met = lit_find(t->scene, &p->r, no_shape, &p->h);
+}
+
 __attribute__((flatten))
+static inline vec3 path_follow(const path_tracer *t, path_first *p, path_random *s,
+                               path_counts *c)
+{
+    path_walk w = path_begin(p->r);
+    bool met = p->met;
+    if (t->dark) return w.L;
+    while (path_at(t, &w, met, &p->h, s, c)) met = lit_find(t->scene, &w.r, w.left, &p->h);
+    return w.L;
+}
+
 static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
-    path_walk w = path_begin(eye);
-    c->paths++;
-    if (t->dark) return w.L;
-    c->camera++;
-    while (path_step(t, &w, s, c)) {}
-    return w.L;
+    path_first p;
+    path_see(t, eye, &p, c);
+    return path_follow(t, &p, s, c);
 }
 
 #endif

@@ -29,11 +29,12 @@ typedef struct {
 typedef struct { path_pixel half[film_side][2]; film_pixel sum[film_side]; } render_row;
 
 /* Sample k of all pixels from (x0, y) to before x1. Their random numbers first: each of them is a
- * long chain of products, and side by side they don't wait for one another. */
+ * long chain of products, and side by side they don't wait for one another. Then what they see. */
 static inline size_t render_samples(const render_job *j, render_row *row, film_window w, int y,
                                     uint32_t k, path_counts *c)
 {
     path_random s[film_side];
+    path_first p[film_side];
     size_t refused = 0;
     const film *f = j->pass.to;
     for (int i = 0; i < w.x1 - w.x0; i++)
@@ -41,7 +42,10 @@ static inline size_t render_samples(const render_job *j, render_row *row, film_w
     for (int i = 0; i < w.x1 - w.x0; i++) {
         point2 u = path_pair(&s[i]);
         ray eye = camera_ray(j->eye, (real)(w.x0 + i) + u.u, (real)y + u.v, f->width, f->height);
-        vec3 L = path_radiance(j->tracer, eye, &s[i], c);
+        path_see(j->tracer, eye, &p[i], c);
+    }
+    for (int i = 0; i < w.x1 - w.x0; i++) {
+        vec3 L = path_follow(j->tracer, &p[i], &s[i], c);
         refused += !film_pixel_add(&row->sum[i], k, L);
     }
     return refused;
