@@ -99,8 +99,8 @@ static inline void survey_reference(size_t i, void *context)
 {
     direct_survey *s = context;
     direct_work work = {0, 0, 0};
-    s->point[i].truth = survey_estimate(s, s->best, &s->all, SEQUENCE_SOBOL, i, i, s->reference,
-                                        s->seed + 1, &work);
+    s->point[i].truth = survey_estimate(s, (int)s->best, &s->all, SEQUENCE_SOBOL, i, i,
+                                        s->reference, s->seed + 1, &work);
 }
 
 static inline void survey_job(size_t job, void *context)
