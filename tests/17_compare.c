@@ -864,7 +864,7 @@ static void test_program(void)
     static const dialogue list[] = {
         {0, "--quick --scene tetra --csv @t.csv",
          {"out", "tetra: 64 shapes", "t.csv", "tetra,brute,primary,",
-          "t.csv", "tetra,bvh,mirror,144,"}},
+          "t.csv", "tetra,bvh,mirror,144,", "t.csv", ",-,-,-,-,-,-,-,-,"}},
         {0, "--verify --scene tree --scale 3 --only bvh,grid",
          {"out", "tree bvh: 4096 primary", "out", "as brute force",
           "out", "tree grid: 4096 primary", "out", "!octree"}},

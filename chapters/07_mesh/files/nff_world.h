@@ -84,7 +84,7 @@ static inline void nff_world_finish(nff_world_rooms *r)
 static inline bool nff_world_look(world *w, const nff_view *v, failure *f)
 {
     failure why;
-    if (!v) return failed(f, 2, "%.300s: no view (v) in it", w->name);
+    if (!v) return failed(f, 2, "%.300s: no view (v) in it; --from and --at make one", w->name);
     return world_look(w, v->from, v->at, v->up, v->angle, &why)
         || failed(f, 2, "%.300s: %s", w->name, why.text);
 }

@@ -189,7 +189,7 @@ static inline void cost_cheapest(const comparison *s, html_report *to)
     html_note(to, "%s", text);
 }
 
-/* A row of cost_table. What first versions hold nobody counts. */
+/* A row of cost_table. */
 static inline void cost_row(table *t, const comparison *s, const compare_entry *e)
 {
     structure_stats st = e->stats;
@@ -256,13 +256,15 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
 {
     structure_stats st = e->stats;
     size_t counted = e->counted[kind];
+    bool known = !contender_is_first(e->c);  /* what first versions hold nobody counts */
     const size_t count[] = {st.bytes, st.peak, st.inner, st.leaves, st.empty, st.references,
                             (size_t)st.depth};
     table_text(t, "%s", s->name), table_text(t, "%s", e->choice->label), table_text(t, "%s", name);
     table_count(t, e->fits ? e->rays[kind] : 0), table_count(t, e->hits[kind]);
     table_text(t, "%.9f", e->build);
-    for (size_t k = 0; k < sizeof count / sizeof *count; k++) table_count(t, count[k]);
-    table_text(t, "%.6g", per((double)e->work[kind].nodes, counted));
+    for (size_t k = 0; k < sizeof count / sizeof *count; k++)
+        known ? table_count(t, count[k]) : table_text(t, "-");
+    known ? table_text(t, "%.6g", per((double)e->work[kind].nodes, counted)) : table_text(t, "-");
     table_text(t, "%.6g", per((double)e->work[kind].tests, counted));
     table_text(t, "%.6g", cost_ns(e, (int)kind));
 }
