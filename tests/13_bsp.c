@@ -333,6 +333,30 @@ static void test_fewest(void)
     mesh_free(&m);
 }
 
+/* Parallel triangles, none of which cuts another: the fewest are cut in the middle; a cell of as
+ * many as a leaf may hold is none. */
+static void test_even(void)
+{
+    enum { sheets = 15 };
+    mesh m = mesh_room(sheets);
+    for (size_t i = 0; i < sheets; i++) {
+        real x = (real)i;
+        set_triangle(&m, i, (vec3){x, -1, -1}, (vec3){x, 1, -1}, (vec3){x, 0, 1});
+    }
+    items x = items_of_mesh(&m);
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        bsp_options how = bsp_defaults;
+        how.rule = BSP_FEWEST, how.leaf = 1, how.candidates = 256, how.seed = seed;
+        bsp b = bsp_made(&x, how);
+        check_at_most(b.stats.depth, 4, "15 sheets, halved");
+        bsp_free(&b);
+        how.leaf = sheets, b = bsp_made(&x, how);
+        check_equal(b.stats.depth, 0, "a leaf of 15");
+        bsp_free(&b);
+    }
+    mesh_free(&m);
+}
+
 /* Planes right on a surface keep little empty space before it. */
 static void test_slanted(void)
 {
@@ -437,7 +461,7 @@ static void test_sweep(void)
         double least = INFINITY;
         real at = 0;
         for (int v = 1; v < 16; v++) least = fmin(least, swept_cost(&s, 0, 16, v));
-        if (!sweep_axis(&s, 0, vec(0, 0, 0), vec(16, 1, 2), &at)) continue;
+        if (!sweep_axis(&s, 0, vec(0, 5, -7), vec(16, 6, -5), &at)) continue;
         found++, dearer += swept_cost(&s, 0, 16, (double)at) > least;
     }
     check_equal(dearer, 0, "places dearer than the cheapest");
@@ -451,5 +475,5 @@ int main(void)
     structure_piled(bsp, bsp_defaults, 3000, 1.05 * structure_room(3000));
     return check_all("13_bsp", test_wall_goes_to_the_smaller_part, test_sides, test_clip, test_owed,
                      test_cells, test_refused, test_limits, test_in_one_plane, test_fewest,
-                     test_slanted, test_naive, test_deep, test_rules, test_sweep);
+                     test_even, test_slanted, test_naive, test_deep, test_rules, test_sweep);
 }

@@ -227,11 +227,15 @@ static void test_parts(void)
     place_of(&one, "spheres", 1), place_of(&three, "spheres", 3);
     film whole = film_new(21, 19), joined = film_new(21, 19), grown = film_new(21, 19), part;
     passes_range(render_passes(&one.j), &whole, 0, 33);
+    double samples = 0, begun = clock_seconds();
     for (int i = 0; i < 5; i++) {
         int k = order[i];
         part = film_new(21, 19);
         passes_range(render_passes(&three.j), &part, cut[k], cut[k + 1]);
         check(film_join(&joined, &part, &f), "part %d joins", k);
+        double sum = three.j.pass.samples, spent = three.j.pass.seconds;
+        check(sum == (samples += cut[k + 1] - cut[k]), "samples of passes so far: %g", sum);
+        check(spent > 0 && spent <= clock_seconds() - begun, "seconds in passes: %g", spent);
         if (i == 2) check(!film_join(&joined, &part, &f) && strstr(f.text, "twice"), "not twice");
         film_free(&part);
     }

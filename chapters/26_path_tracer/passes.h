@@ -2,7 +2,7 @@
  *
  *   film_passes p = {.tile = f, .job = &job, .threads = 0};
  *   film f = film_new(w, h);
- *   bool whole = passes_range(&p, &f, a, b);        samples a .. b-1 of every pixel; false: Ctrl-C
+ *   bool whole = passes_range(&p, &f, a, b);        samples a .. b-1 [a < b]; false: Ctrl-C
  *   bool whole = passes_until(&p, &f, goal);        passes, from where the film ends
  *
  *   f(k, &job)      samples p.now of each pixel in film_window_of(p.to, k), by rows, gathered once
@@ -48,9 +48,7 @@ static inline bool passes_range(film_passes *p, film *f, uint32_t begin, uint32_
 {
     failure why;
     double start = clock_seconds();
-    if (begin >= end) return true;
     p->to = f, p->now = f->pending = (film_range){begin, end};
-    memset(f->done, 0, film_tiles(f) * sizeof *f->done);
     pthread_mutex_init(&p->lock, NULL);
     bool whole = parallel_for(film_tiles(f), p->threads, "samples", p->tile, p->job);
     pthread_mutex_destroy(&p->lock);
