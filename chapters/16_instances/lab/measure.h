@@ -157,7 +157,7 @@ static inline void table_of_methods(const options *o)
     table out = table_new(title, "method|bytes a shape|instances a ray|error near|error far|"
                                  "time eye [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
-                      "wrong answers of 100", PLOT_LOG_Y);
+                      "wrong answers of 100", PLOT_LOG_X | PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
         table_text(&out, "%s", m[i].name), table_number(&out, m[i].bytes / triangles);
         table_number(&out, m[i].entered), table_count(&out, near[i]);
