@@ -78,8 +78,10 @@ fast_inline void bvh8_ray_sheared(bvh8_ray *q, floats4 o, floats4 along, floats4
     q->most = S > 0x1p20f ? NAN : q->around * (20 * S + 2 * q->around) + S * S * 0x1.4p-16f;
 }
 
-/* What all rays need, from o and d in the frame. size: S; way: S before the origin was moved. */
-fast_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way)
+/* What all rays need, in the frame. size: S; way: S before o was moved; afar: o / d may overflow,
+ * and then inf - inf meets empty places. */
+fast_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real size, real way,
+                               bool afar)
 {
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
@@ -89,8 +91,9 @@ fast_inline void bvh8_ray_from(const bvh8 *w, bvh8_ray *q, vec3 at, vec3 d, real
     floats4 o = floats4_of(at), along = floats4_of(d), i = 1 / along;
     q->inverse = i = floats4_within(i, 0x1p60f);
     floats4 error = floats4_abs(i) * owed[0];                                        /* (15.6) */
-    floats4 p = floats4_within(o * i, FLT_MAX);  /* else inf - inf meets empty places */
-    q->near_o = floats4_within(-p - error, FLT_MAX), q->far_o = floats4_within(error - p, FLT_MAX);
+    floats4 p = afar ? floats4_within(o * i, FLT_MAX) : o * i, near = -p - error, far = error - p;
+    q->near_o = near, q->far_o = far;
+    if (afar) q->near_o = floats4_within(near, FLT_MAX), q->far_o = floats4_within(far, FLT_MAX);
     const int32_t row = sizeof(eight);  /* enters three rows on if it goes down */
     whole4 high = (i < 0) & 3 * row;
     q->near = (whole4){0, row, 2 * row} + high, q->far = (whole4){3 * row, 4 * row, 5 * row} - high;
@@ -110,7 +113,7 @@ static bool bvh8_ray_moved(const bvh8 *w, bvh8_ray *q)
     real s = direction_scale(fabs(vaxis(d, vlongest(d)))), t;
     d = vscale(d, 1 / s), q->scale *= (double)s, t = -vdot(o, d) / vdot(d, d);
     if (way > 8 && fabs(t) <= real_largest) o = vmadd(o, d, t), q->shift = (double)t;
-    bvh8_ray_from(w, q, o, d, real_max(fabs(vaxis(o, vlongest(o))), 1), way);
+    bvh8_ray_from(w, q, o, d, real_max(fabs(vaxis(o, vlongest(o))), 1), way, true);
     return true;
 }
 
@@ -126,13 +129,12 @@ fast_inline bool bvh8_ray_of(const bvh8 *w, const ray *r, const bvh8_skip *skip,
     q->scale = (double)w->frame.scale, q->shift = 0;
     if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20))
         return bvh8_ray_moved(w, q);
-    bvh8_ray_from(w, q, at, d, way, way);
+    bvh8_ray_from(w, q, at, d, way, way, false);
     return true;
 }
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* What is left of it. */
 fast_inline ray bvh8_rest(const bvh8_ray *q)
 {
     return (ray){q->r->o, q->r->tmin, q->r->d, q->tmax};
@@ -146,14 +148,12 @@ static inline const ray_shear *bvh8_shear(bvh8_ray *q, int kz)
 
 static inline bool bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 {
-    h.shape = i;
-    if (!hit_before(h, q->best)) return true;
+    if (!hit_before((hit){h.t, h.u, h.v, i}, q->best)) return true;
     q->best = (hit){h.t, h.u, h.v, i}, q->tmax = h.t, q->limit = bvh8_limit(q, h.t);
     return true;
 }
 
-/* How often this thread asked in `real`: for whoever wants to count. */
-static _Thread_local size_t bvh8_asked;
+static _Thread_local size_t bvh8_asked;  /* in `real`, by this thread: for whoever counts */
 
 /* True: there is a hit. Building asked for the area, so 04's test of a ray needn't. */
 __attribute__((noinline))
