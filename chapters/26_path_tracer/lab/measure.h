@@ -85,7 +85,7 @@ static inline size_t measure_first_rays(const first_scene *s, const first_scene 
     for (hit h; first_scene_hit(s, r, &h); rays++) {
         first_point x = first_point_at(s, r, h);
         rays += !vzero(first_direct_by_lamp(open, 0, x, random));
-        if (random_next(random) >= first_go_on) break;
+        if ((double)random_next(random) >= first_go_on) break;
         r = first_bounce(s, x, random);
     }
     return rays;
