@@ -11,6 +11,8 @@
  *                                     each with its structure, camera and colours
  *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
+ *   trial_label_work(&all, columns, rows, title, most, "nodes a ray");   titles above the panels,
+ *                                     and below them a bar of colours from 0 to most
  *   trial_draw_mesh(&o, &s, &v, &how, z_up, "14_bvh.png", path);   the main picture: under the
  *                                     headlight, and what it took; path: the mesh's file, or NULL
  */
@@ -50,12 +52,18 @@ static inline vec3 trial_mesh_colour(const void *picture, real x, real y)
     return headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
 }
 
-static inline vec3 trial_work_colour(const void *picture, real x, real y)
+static inline search_work trial_eye_work(const trial_picture *p, real x, real y)
 {
-    const trial_picture *p = picture;
     search_work w = {0, 0, 0, 0};
     hit h;
     p->verbs->hit_counted(p->built, trial_eye_ray(p, x, y), &h, &w);
+    return w;
+}
+
+static inline vec3 trial_work_colour(const void *picture, real x, real y)
+{
+    const trial_picture *p = picture;
+    search_work w = trial_eye_work(p, x, y);
     return work_colour((real)(w.nodes + w.tests) / p->most);
 }
 
@@ -135,6 +143,15 @@ static inline bool trial_draw_panels(image *all, int columns, int rows, int gap,
     }
     image_free(&im);
     return whole;
+}
+
+static inline void trial_label_work(image *all, int columns, int rows, const char *const *title,
+                                    real most, const char *what)
+{
+    enum { bar = 44 };
+    label_titles(all, columns, rows, 0, title), label_below(all, bar);
+    label_bar(all, all->width / 4, all->height - bar + 6, all->width / 2, 9, work_colour, 0, most,
+              what);
 }
 
 /* verbs, most: of p; the mesh of s; camera: z up or y; n [1, 16]. */

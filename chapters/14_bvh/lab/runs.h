@@ -11,7 +11,7 @@
 
 cold_inline void draw_rules(const options *o, const trial_scene *s)
 {
-    enum { most = 160, bar = 44 };
+    enum { most = 160 };
     static const char *const rule[4] = {"cycle", "longest", "median", "sah"};
     bvh_options how[4];
     const void *list[4];
@@ -19,9 +19,7 @@ cold_inline void draw_rules(const options *o, const trial_scene *s)
     image im = image_new(o->width, o->height);
     trial_picture p = {.verbs = &bvh_trial, .most = most};
     bool whole = trial_draw_work(s, p, true, 2, list, 4, o->threads, &im);
-    label_titles(&im, 2, 2, 0, rule), label_below(&im, bar);
-    label_bar(&im, im.width / 4, im.height - bar + 6, im.width / 2, 9, work_colour, 0, most,
-              "pairs of boxes and triangles a ray");
+    trial_label_work(&im, 2, 2, rule, most, "pairs of boxes and triangles a ray");
     output_picture(o, &im, "14_bvh_visits.png", false, whole);
     image_free(&im);
 }

@@ -11,15 +11,13 @@
 static inline vec3 steps_colour(const void *picture, real x, real y)
 {
     const trial_picture *p = picture;
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    p->verbs->hit_counted(p->built, trial_eye_ray(p, x, y), &h, &w);
+    search_work w = trial_eye_work(p, x, y);
     return work_colour((real)(w.nodes + w.leaves) / p->most);
 }
 
 cold_inline void draw_steps(const options *o, const trial_scene *s)
 {
-    enum { most = 50, bar = 44 };
+    enum { most = 50 };
     static const char *const title[2] = {"two wide (14)", "eight wide"};
     const bvh_options two = bvh_defaults;
     const bvh8_options all = bvh8_defaults;
@@ -31,9 +29,7 @@ cold_inline void draw_steps(const options *o, const trial_scene *s)
     const trial_panel panel[2] = {{s, &two_wide_trial, &two, c, most, 1, steps_colour},
                                   {s, &bvh8_trial, &all, c, most, 1, steps_colour}};
     bool whole = trial_draw_panels(&im, 2, 1, 0, panel, false, o->threads);
-    label_titles(&im, 2, 1, 0, title), label_below(&im, bar);
-    label_bar(&im, im.width / 4, im.height - bar + 6, im.width / 2, 9, work_colour, 0, most,
-              "nodes and leaves a ray");
+    trial_label_work(&im, 2, 1, title, most, "nodes and leaves a ray");
     output_picture(o, &im, "15_wide_bvh.png", true, whole);
     image_free(&im);
 }
