@@ -125,7 +125,7 @@ static void test_turned_spheres(void)
     check_at_most(worst, 3 * 10 / 0.1 * 3 * eps, "turned and moved");
 }
 
-/* ---- polygons ---- */
+/* ---- polygons: the oracle ---- */
 
 /* Howell, "A Catalog of Radiation Heat Transfer Configuration Factors": a rectangle a x b at height
  * c, one corner above p, parallel (B-3); and upright, its lower edge b in the plane, at distance c,
@@ -144,61 +144,36 @@ static double upright_corner(double a, double b, double c)
 
 static void test_known_polygons(void)
 {
-    for (size_t i = 0; i < check_count(2000); i++) {
-        random_stream s = random_start(3, 0, i);
-        double a = (double)random_between(&s, 0.25, 4), b = (double)random_between(&s, 0.25, 4);
-        double c = (double)random_between(&s, 0.25, 4);
-        rectangle ceiling = {{0, 0, (real)c}, {0, (real)b, 0}, {(real)a, 0, 0}};
-        rectangle wall = {{(real)c, 0, 0}, {0, 0, (real)a}, {0, (real)b, 0}};
-        check_at_most(relative((double)rectangle_irradiance(ceiling, seen_from, seen_up),
-                               parallel_corner(a, b, c)), 64 * eps, "ceiling, Howell B-3");
-        check_at_most(relative((double)rectangle_irradiance(wall, seen_from, seen_up),
-                               upright_corner(a, b, c)), 256 * eps, "wall, Howell B-4");
-        /* the same wall, let down into the ground: what is below does not count */
-        rectangle sunk = {{(real)c, 0, -(real)b}, {0, 0, (real)a + (real)b}, {0, (real)b, 0}};
-        check_at_most(relative((double)rectangle_irradiance(sunk, seen_from, seen_up),
-                               upright_corner(a, b, c)), 256 * eps + 8 * eps * (a + b) / a,
-                      "wall, partly below");
-    }
-    rectangle sky = {{-(real)1e6, -(real)1e6, 1}, {0, 2e6, 0}, {2e6, 0, 0}};
-    check_close((double)rectangle_irradiance(sky, seen_from, seen_up), PI, 1e-10 + 8 * eps,
-                "a white sky: pi L, not 2 pi");
-    rectangle plate = {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
-    const struct { vec3 p, n; double e; const char *where; } plates[] = {
-        {{0, 0, 0}, {0, 0, -1}, 0, "behind the receiver"},
-        {{0, 0, 2}, {0, 0, -1}, 0, "behind the light"},
-        {{5, 0, 1}, {0, 0, 1}, 0, "in its plane"},
-        {{0, 0, 1}, {0, 0, 1}, PI, "touching, face to face: pi"},
-        {{0, 0, 1}, {1, 0, 0}, PI / 2, "touching, at a right angle: half of it"},
-        {{0, 0, 1}, {0, 0, -1}, 0, "touching, away"}};
-    for (int i = 0; i < 6; i++)
-        check_close((double)rectangle_irradiance(plate, plates[i].p, plates[i].n), plates[i].e,
-                    (plates[i].e > 0 ? 4 : 0) * eps, "%s", plates[i].where);
-    /* from near: as touching, but for the gap: the farthest view is lost, (gap/1)^2 */
-    for (real gap = (real)0x1p-6; gap > real_smallest * 64; gap /= 16) {
-        double e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, seen_up);
-        double g = (double)gap, seen = 1 - (double)(real)(1 - gap);
-        check_at_most(PI - e, 4 * seen * seen + 16 * eps, "gap %g: nearly pi", g);
-        e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, (vec3){1, 0, 0});
-        check_close(e, PI / 2, 4 * seen + 16 * eps, "gap %g, at a right angle", g);
-    }
-    vec3 nan_corner[3] = {{(real)NAN, 0, 1}, {1, 0, 1}, {0, 1, 1}};
-    check_equal(polygon_irradiance(nan_corner, 3, seen_from, seen_up), 0, "NaN is no light");
-    check_equal(polygon_irradiance(nan_corner, 2, seen_from, seen_up), 0,
-                "two corners are no light");
-    /* an octagon in front, cut or not, is the sum of its triangles */
-    vec3 v[8];
-    for (int k = 0; k < 8; k++)
-        v[k] = (vec3){1 + cos(pi / 4 * (real)k), -sin(pi / 4 * (real)k), 1};
     for (size_t i = 0; i < check_count(500); i++) {
-        random_stream s = random_start(4, 0, i);
-        real z = random_between(&s, -1, 1), turn = random_between(&s, 0, 6.28);
-        vec3 n = sample_turn(sqrt(1 - z * z), z, turn);
-        double sum = 0, whole = (double)polygon_irradiance(v, 8, seen_from, n);
-        for (int k = 1; k + 1 < 8; k++)
-            sum += (double)polygon_irradiance((vec3[]){v[0], v[k], v[k + 1]}, 3, seen_from, n);
-        check_close(whole, sum, 64 * eps, "an octagon is the sum of its triangles");
+        random_stream s = random_start(3, 0, i);
+        real a = random_between(&s, 0.25, 4), b = random_between(&s, 0.25, 4);
+        real c = random_between(&s, 0.25, 4);
+        double upright = upright_corner((double)a, (double)b, (double)c);
+        rectangle ceiling = {{0, 0, c}, {0, b, 0}, {a, 0, 0}};
+        rectangle wall = {{c, 0, 0}, {0, 0, a}, {0, b, 0}};
+        rectangle sunk = {{c, 0, -1}, {0, 0, 1 + a}, {0, b, 0}};  /* what is below counts nothing */
+        vec3 far = vadd(wall.o, wall.s), end = vadd(far, wall.t);
+        double half = triangle_irradiance_exact((triangle){wall.o, far, end}, seen_from, seen_up)
+                    + triangle_irradiance_exact((triangle){wall.o, end, vadd(wall.o, wall.t)},
+                                                seen_from, seen_up);
+        check_at_most(relative(rectangle_irradiance_exact(ceiling, seen_from, seen_up),
+                               parallel_corner((double)a, (double)b, (double)c)), 1e-14,
+                      "ceiling, Howell B-3");
+        check_at_most(relative(rectangle_irradiance_exact(wall, seen_from, seen_up), upright),
+                      1e-13, "wall, Howell B-4");
+        check_at_most(relative(rectangle_irradiance_exact(sunk, seen_from, seen_up), upright),
+                      1e-13 + 16 * eps, "wall, partly below");
+        check_at_most(relative(half, upright), 1e-13 + 16 * eps, "two triangles of it");
     }
+    const struct { rectangle r; vec3 n; double e; const char *where; } list[] = {
+        {{{-(real)1e6, -(real)1e6, 1}, {0, 2e6, 0}, {2e6, 0, 0}}, {0, 0, 1}, PI, "a white sky"},
+        {{{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}}, {0, 0, -1}, 0, "behind the receiver"},
+        {{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 0, "behind the light"},
+        {{{1, 1, 1}, {0, (real)0x1p-40, 0}, {(real)0x1p-40, 0, 0}}, {0, 0, 1}, 0x1p-80 / 9,
+         "a tiny one: cos cos' / r^2 of its area"}};
+    for (int i = 0; i < 4; i++)
+        check_close(rectangle_irradiance_exact(list[i].r, seen_from, list[i].n), list[i].e,
+                    1e-10 * list[i].e, "%s", list[i].where);
 }
 
 /* Those of the table of hard cases, and seeds of their own. */
@@ -215,9 +190,9 @@ static void test_hard_cases(void)
         }
     }
     const struct { int k; double least; } naive_fails[] = {  /* where no digit, or few, are left */
-        {1, real_is_float ? 0.9 : 1e-6}, {5, 1}, {9, real_is_float ? 1 : 1e-3}, {14, 1}, {15, 1}};
+        {1, real_is_float ? 0.9 : 1e-6}, {5, 1}, {9, real_is_float ? 1 : 1e-3}};
     r->naive = true;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 3; i++) {
         const radiometry_hard_case *c = &hard_list[naive_fails[i].k];
         hard_fill(r, c, 20);
         double off = hard_error(r);
@@ -252,62 +227,8 @@ static void test_scales(void)
     }
 }
 
-/* Random triangles: slivers, tiny, cut, grazing. In general position the promise holds; where p is
- * close to the border, times size / distance, here at most 1e3. */
-static void test_random_triangles(void)
-{
-    double worst = 0;
-    size_t many = 0, far_off = 0;
-    for (size_t i = 0; i < check_count(20000); i++) {
-        random_stream s = random_start(6, 0, i);
-        real size = size_between(&s, real_is_float ? -4 : -9, 0), thin = size_between(&s, -3, 0);
-        vec3 a = random_in_cube(&s, 1);
-        vec3 e = random_in_cube(&s, 1), p = {0, 0, 0};
-        vec3 f = random_in_cube(&s, 1);
-        triangle t = {a, vmadd(a, e, size),
-                      vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
-        vec3 v[3] = {t.a, t.b, t.c};
-        double exact = polygon_irradiance_exact(v, 3, p);
-        double value = (double)polygon_irradiance(v, 3, p, seen_up), off = relative(value, exact);
-        if (exact < 1e-30) { check(value < 1.1e-30, "behind, or next to nothing"); continue; }
-        bool cut = (t.a.z > 0) != (t.b.z > 0) || (t.a.z > 0) != (t.c.z > 0);
-        if (vlength(a) < (real)0.1 || (cut && size < (real)0.1)) continue;  /* near p: see above */
-        many++, far_off += !(off <= 64 * eps), worst = check_worse(worst, off);
-    }
-    check_at_most(worst, 4000 * eps, "random triangles: the worst");
-    check_at_most((double)far_off, 0.01 * (double)many,
-                  "random triangles: 99 %% within 64 epsilon");
-}
-
-/* As small as lets the terms of (22.15) leave 1/32 to 1/128 of themselves: by the sum they would be
- * off by 90 epsilon; integrated, by 4. */
-static void test_small_triangles(void)
-{
-    double worst = 0;
-    size_t many = 0;
-    for (size_t i = 0; i < check_count(40000); i++) {
-        random_stream s = random_start(97, 0, i);
-        real size = pow((real)2, -random_between(&s, 3, 8)), terms;
-        vec3 a = {random_between(&s, -1, 1), random_between(&s, -1, 1), 0}, p = {0, 0, 0};
-        a.z = random_between(&s, (real)0.3, 1), a = vunit(a);
-        triangle t = {a, vmadd(a, random_in_cube(&s, 1), size),
-                      vmadd(a, random_in_cube(&s, 1), size)};
-        vec3 v[3] = {t.a, t.b, t.c}, area = vcross(vsub(t.b, t.a), vsub(t.c, t.a));
-        if (vlength(area) < size * size / 3 || fabs(vdot(vunit(area), a)) < (real)0.3) continue;
-        seen_polygon seen = polygon_seen(v, 3, p);
-        real sum = lambert_sum(&seen, seen_up, &terms);
-        if (!(terms > 32 * sum && terms < 128 * sum)) continue;
-        many++;
-        worst = check_worse(worst, relative((double)polygon_irradiance(v, 3, p, seen_up),
-                                            polygon_irradiance_exact(v, 3, p)));
-    }
-    check_at_most(worst, 16 * eps, "small triangles, %zu", many);
-    check_at_least((double)many, (double)check_count(40000) / 50, "some are of that size");
-}
-
 int main(void)
 {
     return check_all("22_irradiance", test_oracle, test_known_spheres, test_hard_spheres,
-                     test_turned_spheres, test_known_polygons, test_hard_cases, test_scales,
-                     test_random_triangles, test_small_triangles);
+                     test_turned_spheres, test_known_polygons, test_hard_cases, test_scales);
 }

@@ -100,15 +100,15 @@ static void test_floors(void)
 static void test_view(void)
 {
     enum { n = 400 };
-    const vec3 front[3] = {view_triangle.a, view_triangle.c, view_triangle.b};
-    const real closed[view_maps][view_things] = {  /* 0: none known, of a sphere cut in two */
-        {sphere_solid_angle(view_sphere[0], seen_from), 0,
-         fabs(rectangle_solid_angle(view_square, seen_from)),
-         fabs(triangle_solid_angle(view_triangle, seen_from))},
-        {sphere_irradiance(view_sphere[0], seen_from, seen_up),
-         sphere_irradiance(view_sphere[1], seen_from, seen_up),
-         rectangle_irradiance(view_square, seen_from, seen_up),
-         polygon_irradiance(front, 3, seen_from, seen_up)}};
+    const triangle front = {view_triangle.a, view_triangle.c, view_triangle.b};
+    const double closed[view_maps][view_things] = {  /* 0: none known, of a sphere cut in two */
+        {(double)sphere_solid_angle(view_sphere[0], seen_from), 0,
+         (double)fabs(rectangle_solid_angle(view_square, seen_from)),
+         (double)fabs(triangle_solid_angle(view_triangle, seen_from))},
+        {(double)sphere_irradiance(view_sphere[0], seen_from, seen_up),
+         (double)sphere_irradiance(view_sphere[1], seen_from, seen_up),
+         rectangle_irradiance_exact(view_square, seen_from, seen_up),
+         triangle_irradiance_exact(front, seen_from, seen_up)}};
     for (int m = 0; m < view_maps; m++) {
         double count[view_things] = {0}, side = 2 * (double)view_scale((radiometry_map)m) / n;
         double length = 0;

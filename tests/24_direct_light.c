@@ -2,7 +2,7 @@
  * are not traced, and the naive ways failing. Fixed seeds; each t-test alarms falsely once in 1e8
  * seeds, all of them together once in 1e6. */
 #include "../common/lab/t_test.h"
-#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/lab/sphere_irradiance.h"
 #include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/24_direct_light/direct.h"
@@ -60,7 +60,7 @@ static setting light_of(light_row l)
         lit_add_shape(&x.s, shape_of_sphere(b), lamp);
         x.truth = inside == (l.r < 0) ? (double)sphere_irradiance(b, black, up) : 0;
     } else {
-        x.truth = (double)rectangle_irradiance(r, black, up);
+        x.truth = rectangle_irradiance_exact(r, black, up);
         if (l.hidden) r = (rectangle){vsub(l.o, l.t), l.s, vscale(l.t, 2)};
         lit_add_rectangle(&x.s, r, lamp);
     }
@@ -221,7 +221,8 @@ static void test_several(void)
         sphere b = {vec(2 * k - 5, 2, 1), .3};
         lit_add_rectangle(&x.s, r, lamp_of(&x.s, L));
         lit_add_shape(&x.s, shape_of_sphere(b), lamp_of(&x.s, L));
-        truth += L * (double)(rectangle_irradiance(r, black, up) + sphere_irradiance(b, black, up));
+        truth += L * (rectangle_irradiance_exact(r, black, up)
+                 + (double)sphere_irradiance(b, black, up));
     }
     lit_end(&x.s);
     check_equal(x.s.emitters, 10, "lights");
@@ -415,7 +416,7 @@ static void test_far(void)
         lit_hit h;
         ray down = ray_between(vadd(at, vec(0, 0, .0625)), vsub(at, vec(0, 0, 1)));
         check(lit_trace(&s, down, &h) && h.s.shape < 2, "the floor is met, at %g", far);
-        double truth = i < 2 ? (double)rectangle_irradiance(wall, h.s.p, up)
+        double truth = i < 2 ? rectangle_irradiance_exact(wall, h.s.p, up)
                              : (double)sphere_irradiance(b, h.s.p, up);
         for (int way = 0; way < direct_ways; way++) {
             direct d = {&s, (direct_way)way, &l, &w, false};

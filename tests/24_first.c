@@ -2,7 +2,7 @@
  * the noise of each where the other is better; the box. Fixed seeds; a t-test alarms falsely once
  * in 1e8 seeds. */
 #include "../common/lab/t_test.h"
-#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/24_direct_light/direct.h"
 #include "../chapters/24_direct_light/lab/survey.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
@@ -25,7 +25,7 @@ static setting setting_of(rectangle r)
     setting t = {.s = {.eps = (real)1e-5}};
     first_add_flat(&t.s, r.o, r.s, r.t, lamp);
     t.x = (first_point){.n = up, .v = up, .m = &white, .kd = {1, 1, 1}};
-    t.truth = (double)(rectangle_irradiance(r, t.x.p, up) / pi);
+    t.truth = rectangle_irradiance_exact(r, t.x.p, up) / (double)pi;
     return t;
 }
 

@@ -4,7 +4,7 @@
 #include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/notes_shade.h"
 #include "../chapters/25_bounces/lab/transport.h"
-#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../common/lab/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
@@ -298,8 +298,8 @@ static void test_direct_closed_form(void)
     lit_cornell(&s);
     ray eye = {{400, 100, 150}, 0, {0, -1, 0}, real_infinity};
     rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
-    real E = rectangle_irradiance(lamp, (vec3){400, 0, 150}, (vec3){0, 1, 0}) / pi;
-    double exact = (double)(cornell_radiance.y * cornell_reflectance[0].y * E);
+    double E = rectangle_irradiance_exact(lamp, (vec3){400, 0, 150}, (vec3){0, 1, 0}) / (double)pi;
+    double exact = (double)(cornell_radiance.y * cornell_reflectance[0].y) * E;
     naive_path path = {&s, DIRECTIONS_BRDF, 1, false};
     estimate e = {0, 0, 0};
     bounce_counts c = {.direct = {0, 0, 0}};

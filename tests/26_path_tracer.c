@@ -4,7 +4,7 @@
 #include "../common/lab/t_test.h"
 #include "../chapters/23_brdf/lab/reference.h"
 #include "../chapters/25_bounces/naive_path.h"
-#include "../chapters/22_radiometry/lab/polygon_irradiance.h"
+#include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/26_path_tracer/render.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"
 
@@ -393,7 +393,7 @@ static void test_sides(void)
         lit_add_rectangle(&s, (rectangle){vec(-4, -1, 4), vec(8, 0, 0), vec(0, 0, -8)}, grey);
         lit_add_rectangle(&s, front ? down : up, lamp);
         lit_end(&s);
-        double E = (double)rectangle_irradiance(down, p, (vec3){0, 1, 0});
+        double E = rectangle_irradiance_exact(down, p, (vec3){0, 1, 0});
         ray r = ray_from(vec(4, 0, 3), vsub(p, vec(4, 0, 3)));
         if (shines) test_strategies(&s, NULL, r, 52, "one or two sides", e);
         for (int way = 0; shines && way < 3; way++)

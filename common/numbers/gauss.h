@@ -1,7 +1,7 @@
 /* gauss.h: integrals of smooth functions by a few points.                Gauss quadrature (高斯求积)
  *
- *   for (int i = 0; i < gauss_16.n; i++)                integral of f over [0, 1]
- *       sum += gauss_weight(gauss_16, i) * f(gauss_point(gauss_16, i));
+ *   for (int i = 0; i < gauss_n; i++)                integral of f over [0, 1]
+ *       sum += gauss_weight(i) * f(gauss_point(i));
  *
  * n points are exact for polynomials up to degree 2n - 1. The error of a function that is analytic
  * falls as rho^-2n, rho being larger the farther away its nearest singularity is. No difference is
@@ -14,33 +14,30 @@
 
 #include "../vec3.h"
 
-typedef struct { int n; const double *x, *w; } gauss_rule;  /* half of the points of [-1, 1] */
+enum { gauss_n = 16 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const double gauss_x8[] = {0.96028985649753623168, 0.79666647741362673959,
-                                  0.52553240991632898581, 0.18343464249564980493};
-static const double gauss_w8[] = {0.10122853629037625915, 0.22238103445337447054,
-                                  0.31370664587788728733, 0.36268378337836198296};
-static const double gauss_x16[] = {0.98940093499164993259, 0.94457502307323257607,
-                                   0.86563120238783174388, 0.75540440835500303389,
-                                   0.61787624440264374844, 0.45801677765722738634,
-                                   0.28160355077925891323, 0.09501250983763744018};
-static const double gauss_w16[] = {0.02715245941175409485, 0.06225352393864789286,
-                                   0.09515851168249278480, 0.12462897125553387205,
-                                   0.14959598881657673208, 0.16915651939500253818,
-                                   0.18260341504492358886, 0.18945061045506849628};
-static const gauss_rule gauss_8 = {8, gauss_x8, gauss_w8}, gauss_16 = {16, gauss_x16, gauss_w16};
+/* Half of the points of [-1, 1]. */
+static const double gauss_x[] = {0.98940093499164993259, 0.94457502307323257607,
+                                 0.86563120238783174388, 0.75540440835500303389,
+                                 0.61787624440264374844, 0.45801677765722738634,
+                                 0.28160355077925891323, 0.09501250983763744018};
+static const double gauss_w[] = {0.02715245941175409485, 0.06225352393864789286,
+                                 0.09515851168249278480, 0.12462897125553387205,
+                                 0.14959598881657673208, 0.16915651939500253818,
+                                 0.18260341504492358886, 0.18945061045506849628};
 
-static inline real gauss_point(gauss_rule g, int i)  /* in (0, 1) */
+static inline real gauss_point(int i)  /* in (0, 1) */
 {
-    double x = g.x[i < g.n / 2 ? i : g.n - 1 - i];
-    return (real)((1 + (i < g.n / 2 ? -x : x)) / 2);
+    bool left = i < gauss_n / 2;
+    double x = gauss_x[left ? i : gauss_n - 1 - i];
+    return (real)((1 + (left ? -x : x)) / 2);
 }
 
-static inline real gauss_weight(gauss_rule g, int i)
+static inline real gauss_weight(int i)
 {
-    return (real)(g.w[i < g.n / 2 ? i : g.n - 1 - i] / 2);
+    return (real)(gauss_w[i < gauss_n / 2 ? i : gauss_n - 1 - i] / 2);
 }
 
 #endif

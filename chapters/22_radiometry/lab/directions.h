@@ -16,7 +16,7 @@
 #ifndef RADIOMETRY_DIRECTIONS_H
 #define RADIOMETRY_DIRECTIONS_H
 
-#include "polygon_irradiance.h"
+#include "oracle.h"
 #include "relations.h"
 #include "sphere_irradiance.h"
 
@@ -35,8 +35,8 @@ typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } r
 
 static inline double direction_exact(radiometry_light l)
 {
-    return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, seen_from, seen_up)
-                                      : rectangle_irradiance(pane, seen_from, seen_up));
+    return l == LIGHT_SPHERE ? (double)sphere_irradiance(lamp, seen_from, seen_up)
+                             : rectangle_irradiance_exact(pane, seen_from, seen_up);
 }
 
 static inline radiometry_seen radiometry_seen_of(vec3 p)

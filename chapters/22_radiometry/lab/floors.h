@@ -15,7 +15,6 @@
 #ifndef RADIOMETRY_FLOORS_H
 #define RADIOMETRY_FLOORS_H
 
-#include "polygon_irradiance.h"
 #include "relations.h"
 #include "sphere_irradiance.h"
 
@@ -35,13 +34,24 @@ static inline real spot_intensity(vec3 w)
     return c4 * c4;
 }
 
+/* E at the distance c > 0 from the screen's plane, of the part from y to y + b (J. Howell, "A
+ * Catalog of Radiation Heat Transfer Configuration Factors", B-4). */
+static inline real screen_corner(real c, real b)
+{
+    real far = hypot(c, screen.t.z);
+    return (atan(b / c) - c / far * atan(b / far)) / 2;
+}
+
 static inline real floor_exact(floor_light light, real x, real y)
 {
     vec3 p = {x, y, 0}, w = vsub(p, spot_at);
     real d = vlength(w);
     switch (light) {
     case FLOOR_SPHERE: return sphere_irradiance(buried, p, seen_up);
-    case FLOOR_RECTANGLE: return rectangle_irradiance(screen, p, seen_up);
+    case FLOOR_RECTANGLE:
+        if (!(x > screen.o.x)) return 0;
+        return screen_corner(x - screen.o.x, screen.o.y + screen.s.y - y)
+             - screen_corner(x - screen.o.x, screen.o.y - y);
     case FLOOR_SPOTLIGHT: return spot_intensity(vscale(w, 1 / d)) * (-w.z / d) / (d * d);
     case floor_lights: break;
     }

@@ -6,14 +6,13 @@
  *
  *   triangle_solid_angle_girard(t, p)          sum of angles - pi: all digits of a small triangle
  *   sphere_irradiance_naive(s, p, n)           (22.13): those of a small sphere near the horizon
- *   polygon_irradiance_naive(v, count, p, n)   (22.15) with acos, and without a cut
  *
  * hard_fill makes random inputs of a case of hard_list; hard_error is the largest error in them,
  * against 32 digits (oracle.h), of the naive form (first.h's of a sphere's solid angle, otherwise
  * the one that is called so) or of the default.
  *
- * Sources: A. Girard, "Invention nouvelle en l'algebre", 1629; Lagarde, de Rousiers 2014 and
- * Lambert 1760, as in sphere_irradiance.h and polygon_irradiance.h.
+ * Sources: A. Girard, "Invention nouvelle en l'algebre", 1629; Lagarde, de Rousiers 2014, as in
+ * sphere_irradiance.h.
  */
 #ifndef RADIOMETRY_MEASURE_HARD_H
 #define RADIOMETRY_MEASURE_HARD_H
@@ -21,18 +20,15 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "oracle.h"
-#include "polygon_irradiance.h"
 #include "relations.h"
 #include "sphere_irradiance.h"
 
 enum { hard_inputs = 256 };
-typedef enum {
-    HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E
-} radiometry_hard;
+typedef enum { HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E } radiometry_hard;
 typedef enum { SHAPE_ANY, SHAPE_GRAZING, SHAPE_TOUCHING } radiometry_shape;
 typedef struct { radiometry_hard kind; const char *input; double size; radiometry_shape shape; }
     radiometry_hard_case;
-typedef struct { radiometry_hard kind; sphere s; triangle t; vec3 v[4]; } radiometry_hard_input;
+typedef struct { radiometry_hard kind; sphere s; triangle t; } radiometry_hard_input;
 typedef struct { radiometry_hard_input in[hard_inputs]; bool naive; } radiometry_hard_run;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -66,20 +62,10 @@ static inline real sphere_irradiance_naive(sphere s, vec3 p, vec3 n)
     return (cosb * acos(real_clamp(y, -1, 1)) - x * sy) / h2 + atan(sy / x);
 }
 
-static inline real polygon_irradiance_naive(const vec3 *v, int count, vec3 p, vec3 n)
-{
-    real sum = 0;
-    for (int i = 0; i < count; i++) {
-        vec3 a = vunit(vsub(v[i], p)), b = vunit(vsub(v[(i + 1) % count], p));
-        sum += acos(vdot(a, b)) * vdot(n, vunit(vcross(a, b)));
-    }
-    return -sum / 2;
-}
-
 /* ---- inputs ---- */
 
 static const char *const hard_name[] = {"solid angle, sphere", "solid angle, triangle",
-                                        "irradiance, sphere", "irradiance, square"};
+                                        "irradiance, sphere"};
 static const radiometry_hard_case hard_list[] = {
     {HARD_SPHERE_ANGLE, "R/d = 1e-2", 1e-2, SHAPE_ANY},
     {HARD_SPHERE_ANGLE, "R/d = 1e-6", 1e-6, SHAPE_ANY},
@@ -93,11 +79,6 @@ static const radiometry_hard_case hard_list[] = {
     {HARD_SPHERE_E, "half sunk, R/d = 1e-6", 1e-6, SHAPE_ANY},
     {HARD_SPHERE_E, "1e-4 R above the horizon", 1e-4, SHAPE_GRAZING},
     {HARD_SPHERE_E, "gap 1e-6 R", 1e-6, SHAPE_TOUCHING},
-    {HARD_SQUARE_E, "size 1", 1, SHAPE_ANY},
-    {HARD_SQUARE_E, "size 1e-3", 1e-3, SHAPE_ANY},
-    {HARD_SQUARE_E, "size 1e-6", 1e-6, SHAPE_ANY},
-    {HARD_SQUARE_E, "1e-5 above the horizon", 1e-5, SHAPE_GRAZING},
-    {HARD_SQUARE_E, "gap 1e-6 to the floor", 1e-6, SHAPE_TOUCHING},
 };
 enum { hard_cases = sizeof hard_list / sizeof *hard_list };
 
@@ -120,13 +101,6 @@ static inline radiometry_hard_input hard_make(const radiometry_hard_case *c, ran
         if (grazing) a.z = b.z = e.z = gap;
         h.t = (triangle){a, b, e};
     }
-    if (c->kind != HARD_SQUARE_E) return h;
-    real x = random_between(s, 1, 2), z = gap;
-    if (any) z = random_between(s, 0.2, 1);
-    if (grazing) z = gap - size;  /* upright: nearly all of it below */
-    rectangle r = {{x, random_between(s, -0.9, -0.1) * size, z}, {0, 0, size}, {0, size, 0}};
-    if (touching) r = (rectangle){{-spread, r.o.y, z}, {0, 1, 0}, {1, 0, 0}};
-    h.v[0] = r.o, h.v[1] = vadd(r.o, r.s), h.v[2] = vadd(h.v[1], r.t), h.v[3] = vadd(r.o, r.t);
     return h;
 }
 
@@ -138,7 +112,6 @@ static inline double hard_exact(const radiometry_hard_input *h)
     case HARD_TRIANGLE_ANGLE: return triangle_solid_angle_exact(h->t, seen_from);
     case HARD_SPHERE_E:
         return sphere_irradiance_exact((double)s.r, (double)s.c.x, (double)s.c.z);
-    case HARD_SQUARE_E: return polygon_irradiance_exact(h->v, 4, seen_from);
     }
     return 0;
 }
@@ -152,8 +125,6 @@ static inline real hard_value(const radiometry_hard_input *h, bool naive)
         return (naive ? triangle_solid_angle_girard : triangle_solid_angle)(h->t, seen_from);
     case HARD_SPHERE_E:
         return (naive ? sphere_irradiance_naive : sphere_irradiance)(h->s, seen_from, seen_up);
-    case HARD_SQUARE_E:
-        return (naive ? polygon_irradiance_naive : polygon_irradiance)(h->v, 4, seen_from, seen_up);
     }
     return 0;
 }

@@ -45,11 +45,11 @@ static inline real sphere_sliver(sphere_view v, real depth, real d)
     real e = atan2(depth, v.across), cos_e = v.across / d, sum = 0;
     real top = atan2(w2 * d / (v.radius * v.across + k * depth) * d,
                      k * v.across + v.radius * depth);
-    for (int i = 0; i < gauss_16.n; i++) {
-        real x = gauss_point(gauss_16, i), theta = top * (1 - x * x);
+    for (int i = 0; i < gauss_n; i++) {
+        real x = gauss_point(i), theta = top * (1 - x * x);
         real q = sin(e + (top + theta) / 2) * sin(top * x * x / 2) / (cos_e * cos(theta));
         real phi = 2 * asin(sqrt(real_min(q, 1)));
-        sum += gauss_weight(gauss_16, i) * phi * sin(2 * theta) * x;
+        sum += gauss_weight(i) * phi * sin(2 * theta) * x;
     }
     return 2 * top * sum;
 }
