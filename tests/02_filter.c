@@ -26,7 +26,8 @@ static double by_midpoints(double (*f)(double x, double a), double x, double a, 
     return sum / weight;
 }
 
-/* The integral of filter_weight over the plane: 1, radius^2, or about 2 pi sigma^2. */
+/* The integral of filter_weight over the plane: 1, radius^2, or about 2 pi sigma^2; test_white_wall
+ * would see another. */
 static real filter_volume(filter f)
 {
     real side = f.kind == FILTER_BOX ? 2 * f.radius
@@ -51,15 +52,6 @@ static void test_patterns(void)
     check_equal(square_wave(-0.5, 1), -1, "to the left of 0");
     check_equal(checkerboard(0.5, 0.5, 1), 1, "white square");
     check_equal(checkerboard(0.5, -0.5, 1), 0, "black square");
-    /* areas found on paper */
-    const struct { double x, cell; filter f; double due; const char *why; } in[] = {
-        {0.3, 0.5, filter_box, 0, "box over one whole period"},
-        {2, 1, filter_box, 0, "box on an edge"}, {2.5, 1, filter_box, 1, "box on one stretch"},
-        {2.25, 1, filter_box, 0.5, "box, a quarter beyond the edge"},
-        {0.5, 1, filter_tent, 0.5, "tent: 3/4 of its area inside"}};
-    for (size_t i = 0; i < sizeof in / sizeof *in; i++)
-        check_close(square_wave_filtered(in[i].x, in[i].cell, in[i].f), in[i].due, 1e-15, "%s",
-                    in[i].why);
     for (size_t k = 0; k < check_count(300); k++)
         for (int i = 0; i < 2; i++) {  /* box and tent */
             double x = uniform(-20, 20), cell = uniform(0.3, 3), R = (double)filters[i].radius;
@@ -89,8 +81,7 @@ static void test_weights(void)
 {
     for (int i = 0; i < 3; i++) {
         filter f = filters[i];
-        double R = (double)f.radius, sum = 0;
-        enum { n = 2000 };
+        double R = (double)f.radius;
         check_equal(filter_weight(f, 0, 0), 1, "%s: 1 in the centre", names[i]);
         check_equal(filter_weight(f, f.radius * (real)1.001, 0), 0, "%s: 0 outside", names[i]);
         check_equal(filter_weight(f, 0, -f.radius * (real)1.001), 0, "%s: 0 above", names[i]);
@@ -100,16 +91,6 @@ static void test_weights(void)
             check(filter_weight(f, x, y) == filter_weight(f, -y, x),
                   "%s: the same in all four directions", names[i]);
         }
-        for (int k = 0; k < n; k++) {
-            double x = R * ((2 * k + 1) / (double)n - 1);
-            sum += (double)filter_weight_1d(f, (real)x);
-        }
-        double step = 2 * R / n;
-        sum *= step;
-        /* midpoint rule: step^2 / 24 times what the slope changes by, 2/R, twice as it is squared;
-         * each weight is off by 2 epsilon */
-        check_close(filter_volume(f), sum * sum, step * step / 6 * sum / R + 8 * eps,
-                    "%s: filter_volume is the integral", names[i]);
     }
     check_equal(filter_weight(filter_box, 0.5, -0.5), 1, "box: its edge belongs to it");
     check_close(filter_weight(filter_tent, 0.25, 0.5), 0.375, 2 * eps,
@@ -254,11 +235,6 @@ int main(void)
 {
     s = random_start(2, 1, 0);
     filters[0] = filter_box, filters[1] = filter_tent, filters[2] = filter_gaussian;
-    test_patterns();
-    test_weights();
-    test_positions();
-    test_white_wall();
-    test_convergence();
-    test_bias();
-    return check_report("02_filter");
+    return check_all("02_filter", test_patterns, test_weights, test_positions, test_white_wall,
+                     test_convergence, test_bias);
 }

@@ -34,9 +34,9 @@ cold_inline void camera_draw_four(const options *o, camera_view v)
     camera_window square = {-a * s, a * s, -s, s};
     camera_window beside = {a * -4, a * (real)2.3, -2.2, 4.1};
     camera_window above = {(real)3.95 - a * (real)2.85, (real)3.95 + a * (real)2.85, -6.6, -0.9};
+    four[2].c = camera_at(camera_eye, camera_target, camera_up, 38, a);
     if (!camera_orthographic(corner, square, &four[0].c, &why)
         || !camera_oblique(level, beside, cabinet, &four[1].c, &why)
-        || !camera_perspective(corner, 38, a, &four[2].c, &why)
         || !camera_off_axis(near_level, above, 7, &four[3].c, &why))
         fail(why);
     for (int i = 0; i < 4; i++) four[i].tag = tag[i];
@@ -48,7 +48,7 @@ cold_inline void camera_draw_four(const options *o, camera_view v)
 static inline ray camera_aim_rtr(const camera_view *v, real x, real y)
 {
     const rtr_camera *k = v->own;
-    return ray_from(k->c, rtr_s(*k, x, y, v->nx, v->ny));
+    return rtr_camera_ray(*k, x, y, v->nx, v->ny);
 }
 
 /* (2.5), every operation in float; with an e in v->own, (e + d) - e: what is left of d. */
@@ -73,16 +73,14 @@ cold_inline void camera_draw_slips(const options *o, camera_view v)
     int side = o->quick ? 100 : 400;
     const panels_shape g = {2 * side + 6, side, 2, 1, 6, 1, true};
     static const float far[3] = {120000, 96000, 128000};  /* an e 200 km from the origin */
-    rtr_camera mended, printed;
-    failure why;
-    if (!rtr_look_at(camera_eye, camera_target, camera_up, 38, &mended, &why)) fail(why);
-    printed = rtr_as_printed(mended);
+    v.c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
+    const rtr_camera mended = rtr_camera_of(v.c), printed = rtr_as_printed(mended);
     camera_view p[2] = {v, v};
     p[0].aim = p[1].aim = camera_aim_rtr;
     p[0].own = &printed, p[0].tag = "as printed";
     p[1].own = &mended, p[1].tag = "mended";
     camera_draw_panels(o, p, g, "02_camera_rtr.png", false);
-    v.aim = camera_aim_f32, v.c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
+    v.aim = camera_aim_f32;
     p[0] = p[1] = v;
     p[0].own = far, p[0].tag = "float, s - e";
     p[1].tag = "float, (2.5)";

@@ -31,32 +31,21 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The left-handed frame is the right-handed one with its third axis turned round. phi: degrees. */
-static inline bool rtr_look_at(vec3 c, vec3 target, vec3 up, real phi, rtr_camera *out,
-                               failure *why)
+/* The same view; k: camera_perspective. The third axis is turned round. */
+static inline rtr_camera rtr_camera_of(camera k)
 {
-    camera_frame n;
-    camera check;
-    if (!frame_look_at(c, target, up, &n, why)) return false;
-    if (!camera_perspective(n, phi, 1, &check, why)) return false;
-    *out = (rtr_camera){c, n.u, n.v, vneg(n.w), half_tangent(phi)};
-    return true;
+    return (rtr_camera){k.e, k.u, k.v, vneg(k.w), k.top};
 }
 
 /* + f (..) u, as printed, is - f (..) (-u). */
 static inline rtr_camera rtr_as_printed(rtr_camera k) { return k.u = vneg(k.u), k; }
 
-/* s at any point (x, y) of the picture, without the 0.5. */
-static inline vec3 rtr_s(rtr_camera k, real x, real y, int w, int h)
+/* Through any point (x, y) of the picture: the 0.5 is the caller's. */
+static inline ray rtr_camera_ray(rtr_camera k, real x, real y, int w, int h)
 {
     real a = (real)w / (real)h;
     real right = a * k.f * (2 * x / (real)w - 1), up = -k.f * (2 * y / (real)h - 1);
-    return vadd(vmadd(vscale(k.r, right), k.u, up), k.v);
-}
-
-static inline ray rtr_camera_ray(rtr_camera k, int x, int y, int w, int h)
-{
-    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h)));
+    return ray_from(k.c, vunit(vadd(vmadd(vscale(k.r, right), k.u, up), k.v)));
 }
 
 #endif
