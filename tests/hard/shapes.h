@@ -5,7 +5,7 @@
 #include "hard.h"
 #include "../../chapters/01_ray/lab/points.h"
 #include "../02_oracle.h"
-#include "../../chapters/03_sphere/lab/sphere_survey.h"
+#include "../../chapters/03_sphere/lab/sphere_measure.h"
 #include "../../chapters/04_triangle/first.h"
 #include "../../chapters/04_triangle/lab/needles.h"
 #include "../../chapters/05_implicit/lab/implicit_trials.h"
