@@ -32,9 +32,6 @@ typedef enum {
     aabb_trial_kinds
 } aabb_trial_kind;
 
-static const char *const trial_name[aabb_trial_kinds] = {
-    "in a plane", "flat box", "edge", "corner", "interval ends there", "any"};
-
 typedef struct { aabb b; ray r; } aabb_trial;
 typedef struct { int64_t n, d; } aabb_fraction;  /* n / d, d > 0; or -1/0, 1/0: infinite */
 typedef struct { bool hit; aabb_fraction enter; } aabb_exact;
@@ -175,7 +172,7 @@ static inline aabb_trial aabb_trial_of(aabb_trial_kind kind, uint64_t seed, uint
 
 static inline wide wide_time(real at, real o, real d)
 {
-    return wide_div(wide_sub(wide_of((double)at), wide_of((double)o)), wide_of((double)d));
+    return wide_div(wide_sum((double)at, -(double)o), wide_of((double)d));
 }
 
 /* Finite boxes; tmin finite, tmax maybe infinite. */
