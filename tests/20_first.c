@@ -1,6 +1,5 @@
-/* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that
- * is noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
-#include "../common/lab/chi_square.h"
+/* 20's first.h: the answers of estimate.h and of closed forms; a variance that is noise; the sky by
+ * its directions, whose densities 20_sampling.c asks for. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../chapters/20_monte_carlo/lab/chance_figure.h"
 #include "../chapters/20_monte_carlo/lab/dome_picture.h"
 #include "../chapters/20_monte_carlo/first.h"
@@ -136,8 +135,6 @@ static void test_inversion(void)
     check_at_most(slope, 4 * eps + 1e-11, "first_pi_density is the slope of P");
 }
 
-/* ---- directions ---- */
-
 /* Places of the ball and the floor: what the directions of the picture say of the sky that a place
  * sees, and what is known. */
 static void test_dome(void)
@@ -158,45 +155,8 @@ static void test_dome(void)
         }
 }
 
-static vec3 s_uniform(real u, real v, const void *c)
-{
-    return (void)c, first_uniform_direction(u, v);
-}
-static vec3 s_cosine(real u, real v, const void *c)
-{
-    return (void)c, first_cosine_direction(u, v);
-}
-static real d_uniform(vec3 w, const void *c) { return (void)c, pdf_hemisphere(w); }
-static real d_cosine(vec3 w, const void *c) { return (void)c, pdf_cosine(w); }
-
-static void test_directions(void)
-{
-    size_t n = check_sample(200000, 20000), below = 0;
-    chi_square_result r = chi_square_directions(s_uniform, d_uniform, NULL, 1, 1, n);
-    check_at_least(r.p, alarm, "uniform directions follow pdf_hemisphere");
-    r = chi_square_directions(s_cosine, d_cosine, NULL, 1, 1, n);
-    check_at_least(r.p, alarm, "cosine directions follow pdf_cosine");
-    const real at[] = {0, real_epsilon / 2, (real)0.5, 1 - real_epsilon / 2};
-    double length = 0, turned = 0;
-    for (size_t i = 0; i < n; i++) {
-        random_stream random = random_start(3, i, 0);
-        real u = random_next(&random), v = random_next(&random);
-        if (i < 16) u = at[i % 4], v = at[i / 4];  /* the corners of the square */
-        vec3 w[2] = {first_uniform_direction(u, v), first_cosine_direction(u, v)};
-        vec3 axis = sample_sphere(v, u);
-        for (int k = 0; k < 2; k++) {
-            double up = (double)vdot(directed(axis, w[k]), axis);
-            below += !(w[k].z >= 0), turned = check_worse(turned, fabs(up - (double)w[k].z));
-            length = check_worse(length, fabs((double)vlength(w[k]) - 1));
-        }
-    }
-    check_equal(below, 0, "directions below z = 0, of %zu", 2 * n);
-    check_at_most(turned, 8 * eps, "directed: the angle with the axis is that with z");
-    check_at_most(length, 4 * eps, "length 1");
-}
-
 int main(void)
 {
     return check_all("20_first", test_samples, test_far_mean, test_few, test_pi_by_chance,
-                     test_inversion, test_directions, test_dome);
+                     test_inversion, test_dome);
 }

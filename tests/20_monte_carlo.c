@@ -70,14 +70,6 @@ static void test_variances(void)
     free(c);
 }
 
-/* The same numbers whatever the number of threads. */
-static void test_threads(void)
-{
-    convergence *a = convergence_measure(2, 20, 3, 1), *b = convergence_measure(2, 20, 3, 3);
-    check(memcmp(a->square, b->square, sizeof a->square) == 0, "one thread or three");
-    free(a), free(b);
-}
-
 /* The variance of e^(x+y) over 2^m points is (20.20), for odd m, too. The hash published for it in
  * 2020, whose coins depend on each other, has half of that at m = 5. */
 static void test_hash(void)
@@ -228,7 +220,7 @@ static void test_slopes_of_importance(void)
 
 int main(void)
 {
-    return check_all("20_monte_carlo", test_exact_values, test_variances, test_threads, test_hash,
+    return check_all("20_monte_carlo", test_exact_values, test_variances, test_hash,
                      test_four_times_the_rays, test_importance, test_weights, test_fatal,
                      test_slopes_of_importance);
 }

@@ -169,10 +169,8 @@ static void test_gamma(void)
     same(log_gamma(0.5), log(turn) / 2, 0, "Gamma(1/2) = sqrt pi", 0.5, 0);
     same(log_gamma(1.5), log(turn) / 2 - log(2), 100, "Gamma(3/2)", 1.5, 0);
     for (int k = -30; k <= 30; k++) {
-        double x = pow(10, k / 10.0 - 1), root = sqrt(x);
-        same(gamma_above(0.5, x), erfc(root), x, "erfc", 0.5, x);
-        same(gamma_below(0.5, x), erf(root), x, "erf", 0.5, x);
-        same(gamma_below(1, x), -expm1(-x), x, "1 - e^-x", 1, x);
+        double x = pow(10, k / 10.0 - 1);
+        same(gamma_above(0.5, x), erfc(sqrt(x)), x, "erfc", 0.5, x);
         for (int n = 1; n <= 64; n *= 2)
             if (x < 600) same(gamma_above(n, x), fewer_than(n, x), x + n, "fewer than n", n, x);
     }
@@ -182,9 +180,7 @@ static void test_gamma(void)
         check_at_most(gamma_above(a, a), 0.5, "above the mean %g", a);
         check_at_least(gamma_above(a, a - 1.0 / 3), 0.5 - 1e-14 * (10 + a),
                        "above the mean less 1/3, %g", a);
-        check_close(gamma_above(a, a) + gamma_below(a, a), 1, 1e-14 * (10 + a), "both parts");
     }
-    check_equal(gamma_below(3, 0), 0, "nothing below 0");
     check_equal(gamma_above(3, -1), 1, "all above -1");
     check_equal(gamma_above(3, (double)INFINITY), 0, "nothing above infinity");
     check(isnan(gamma_above(3, (double)NAN)) && isnan(beta_below(1, 1, (double)NAN, 0)), "NaN");

@@ -1,14 +1,13 @@
 /* incomplete.h: the two functions behind all tests of statistics.
  *
- *   gamma_below(a, x)         integral of t^(a-1) e^-t from 0 to x, over the whole        (20.14)
- *   gamma_above(a, x)         the same from x to infinity
+ *   gamma_above(a, x)         integral of t^(a-1) e^-t from x to infinity, over the whole (20.14)
  *   beta_below(a, b, x, 1-x)  integral of t^(a-1) (1-t)^(b-1) from 0 to x, over the whole  (20.15)
  *   log_gamma(a)              log Gamma(a), Gamma(a) being the whole of (20.14)
  *
- * All for a, b > 0. They rise from 0 to 1 (gamma_above falls). x < 0 counts as 0, and a NaN gives
- * NaN. beta_below takes x and 1-x, since near 1 the second has the digits that the first has lost:
- * a t-test asks for x = 1 - 1e-12. gamma_above is not 1 - gamma_below where it is tiny: p-values of
- * 1e-300 are right in all digits but the last few. Relative error some 1e-14 times a + b + x.
+ * All for a, b > 0: from 1 to 0, and from 0 to 1. x < 0 counts as 0, and a NaN gives NaN. beta_below
+ * takes x and 1-x, since near 1 the second has the digits that the first has lost: a t-test asks
+ * for x = 1 - 1e-12. No p-value of 1e-300 is 1 minus something: it is right in all digits but the
+ * last few. Relative error some 1e-14 times a + b + x.
  *
  * The C library has lgamma, but it may store a sign in a variable that all threads share.
  *
@@ -50,27 +49,24 @@ static inline double lentz_step(double a, double b, double *c, double *d)
 enum { incomplete_steps = 1000000 };  /* about 5 sqrt(a) are needed */
 
 /* x^a e^-x / Gamma(a) times: below the bend x = a + 1 a power series of P, above it a continued
- * fraction of Q. The other one is then 1 minus a number that is not close to 1. */
-static inline double gamma_part(double a, double x, bool above)
+ * fraction of Q = 1 - P; so neither is 1 minus a number that is close to 1. */
+static inline double gamma_above(double a, double x)
 {
     if (isnan(a) || isnan(x)) return (double)NAN;
-    if (x <= 0) return above;
-    if (isinf(x)) return !above;
+    if (x <= 0) return 1;
+    if (isinf(x)) return 0;
     double front = exp(a * log(x) - x - log_gamma(a));
     if (x < a + 1) {
         double term = 1 / a, sum = term;
         for (int k = 1; k < incomplete_steps && term > sum * DBL_EPSILON / 8; k++)
             sum += term *= x / (a + k);
-        return above ? 1 - front * sum : front * sum;
+        return 1 - front * sum;
     }
     double f = x + 1 - a, c = f, d = 0, step = 0;
     for (int k = 1; k < incomplete_steps && fabs(step - 1) > DBL_EPSILON; k++)
         f *= step = lentz_step(k * (a - k), x + 2 * k + 1 - a, &c, &d);
-    return above ? front / f : 1 - front / f;
+    return front / f;
 }
-
-static inline double gamma_below(double a, double x) { return gamma_part(a, x, false); }
-static inline double gamma_above(double a, double x) { return gamma_part(a, x, true); }
 
 static inline double beta_below(double a, double b, double x, double one_minus_x)
 {

@@ -89,14 +89,10 @@ static inline double deviation_random(integrand f, double n)
 /* Of the smooth one. */
 static inline double deviation_jittered(int k)
 {
-    double h = 1.0 / k, sum = 0, n = (double)k * k;
-    for (int i = 0; i < k * k; i++) {
-        double x = (i % k) * h, y = (i / k) * h;
-        double vx = exp_variance(x, h), vy = exp_variance(y, h);
-        double mx = exp_mean(x, h), my = exp_mean(y, h);
-        sum += vx * vy + vx * my * my + mx * mx * vy;
-    }
-    return sqrt(sum) / n;
+    double h = 1.0 / k, v = 0, square = 0;  /* of e^x, summed over all steps */
+    for (int i = 0; i < k; i++)
+        v += exp_variance(i * h, h), square += pow(exp_mean(i * h, h), 2);
+    return sqrt(v * (v + 2 * square)) / ((double)k * k);
 }
 
 /* Variance of e^x that lies between steps of width 2^-k and steps of half that width: a quarter of
