@@ -163,31 +163,6 @@ static void test_owed(void)
     check_at_least(r.o.x, 6 * 1000 * real_epsilon, "the near end of a line of sight of 1000");
 }
 
-/* Needles whose weights are least sure (k up to 64), left along their length. The part of `noise`
- * that grows with k is there for them. */
-static void test_needles(void)
-{
-    size_t n = 200000, self = 0, without = 0;
-    for (size_t i = 0; i < n; i++) {
-        random_stream s = random_start(14, i, 0);
-        vec3 x, y, z = random_unit(&s);
-        vbasis(z, &x, &y);
-        real k = 8 + 60 * random_next(&s), turn = random_next(&s);
-        vec3 c = random_unit(&s);
-        triangle t = {c, vadd(c, x), vmadd(vmadd(c, x, turn), y, 1 / k)};
-        real u = random_next(&s), v = (1 - u) * random_next(&s);
-        surface at = surface_on_triangle(t, 0, u, v);
-        real slope = (real)0.1 + random_next(&s);
-        vec3 w = vadd(at.n, vscale(i % 2 ? x : vneg(x), slope));
-        hit h;
-        self += triangle_hit(t, leave(at, w), &h);
-        at.noise = 0;
-        without += triangle_hit(t, leave(at, w), &h);
-    }
-    check_equal(self, 0, "needles that meet themselves");
-    check_at_least(without, 1, "without noise, some do");
-}
-
 /* A floor of two triangles. Skipping the shape that a ray leaves is not enough: near the diagonal
  * it meets the neighbour, which lies in the same plane. */
 typedef struct { uint32_t own; } skip_payload;
@@ -348,5 +323,5 @@ static void test_rooms(void)
 int main(void)
 {
     return check_all("18_leave", test_default, test_others_fail, test_bounds, test_named, test_owed,
-                     test_needles, test_skip, test_between, test_rooms);
+                     test_skip, test_between, test_rooms);
 }

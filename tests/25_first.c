@@ -134,7 +134,7 @@ static void test_rows(void)
         for (int j = 0; j < trial_depths; j++) truth[j] = estimate_add(truth[j], sum[j]);
     }
     for (int k = 0; k < trials; k++) {
-        estimate e = {0}, exact = truth[trial_depth_index(k)];
+        estimate e = {0}, exact = truth[trial_row[k].depth];
         uint64_t few = k >= trial_terms ? n : trial_most_rays(k) > 1000 ? n / 20 : n / 2;
         if (trial_most_rays(k) > 10000) continue;  /* N = 8, five bounces: some ms a sample */
         for (uint64_t i = 0; i < few; i++) {

@@ -572,13 +572,6 @@ static void test_choice_of_light(void)
     }
     check_equal(wrong, 0, "pdfs that are not what lit_lights_pdf says");
     check_at_most(rim, 2 + skies / 1000, "draws at the edge of a texel, of %zu", skies);
-    estimate whole = {0};  /* 4 pi times the mean pdf of a uniform direction is 1 */
-    for (size_t k = 0; k < check_count(40000); k++) {
-        real u = random_next(&from), v = random_next(&from);
-        vec3 d = sample_sphere(u, v);
-        whole = estimate_add(whole, 4 * (double)pi * (double)environment_pdf(&sky, d));
-    }
-    check_at_least(t_test(whole, 1, 1e-6), false_alarm, "the sky's pdf sums to %g", whole.mean);
     for (int i = 0; i < 3; i++)  /* radiances 3, 5, 7 of 15, and half of all to the sky */
         check_at_least(t_test(often[i], (3 + 2 * i) / 30.0, 1e-6), false_alarm,
                        "light %d: drawn %g of the times", i, often[i].mean);

@@ -1,6 +1,6 @@
 /* 25_bounces: light sorted by its bounces, rooms where its sum is known, N rays a hit exploding.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
- * Without options: the main picture and table; --full: four tables, a plot.
+ * Without options: the main picture and table; --full: three tables, a plot.
  * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
  * with the paths but their walk. */
 #include "lab/measure.h"

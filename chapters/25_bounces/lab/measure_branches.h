@@ -1,7 +1,7 @@
 /* measure_branches.h: why one direction is enough, and what asking the lamp is worth.
  *
  *   measure_branches(o)   main table: samples by N directions a hit, by terms.h and by first.h, of
- *                         the same light; error in equal time. --full: all N of one bounce
+ *                         the same light; error in equal time
  *
  *   branch_survey *b = allocate(1, sizeof *b);
  *   trials_begin(b, &o);
@@ -27,10 +27,11 @@
 #include "../branching.h"
 #include "../terms.h"
 
-enum { branch_kinds = 4, trial_depths = 2, trial_terms = trial_depths * branch_kinds,
-       trial_first, trials };
-enum { trial_side = 8, trial_pixels = trial_side * trial_side };
+enum { trial_terms = 6, trial_first, trials };  /* the last two: by terms.h and by first.h */
+enum { trial_side = 8, trial_pixels = trial_side * trial_side, trial_depths = 2 };
 static const int trial_depth[trial_depths] = {1, 5};
+static const struct { int depth, N; } trial_row[trials] = {  /* which depth; directions a hit */
+    {0, 1}, {0, 8}, {1, 1}, {1, 2}, {1, 4}, {1, 8}, {1, 1}, {1, 1}};
 
 /* first: the rays that first.h counts, some of which it does not send, as the lamp is behind. */
 typedef struct { bounce_counts c; size_t first; } trial_counts;
@@ -50,19 +51,13 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Trial k: the first ones by branching.h, then terms.h and first.h. */
-static inline int trial_depth_index(int k)
-{
-    return k < trial_terms ? k / branch_kinds : trial_depths - 1;
-}
-static inline int trial_bounces(int k) { return trial_depth[trial_depth_index(k)]; }
-static inline int trial_branches(int k) { return k < trial_terms ? 1 << k % branch_kinds : 1; }
+static inline int trial_bounces(int k) { return trial_depth[trial_row[k].depth]; }
 
 /* Of a sample, where nothing escapes: (25.9); first.h's term k has a path of k + 1 rays. */
 static inline double trial_most_rays(int k)
 {
     int d = trial_bounces(k);
-    return k == trial_first ? (d + 1) * (d + 2) / 2 : first_rays_of_branching(trial_branches(k), d);
+    return k == trial_first ? (d + 1) * (d + 2) / 2 : first_rays_of_branching(trial_row[k].N, d);
 }
 
 static inline size_t trial_rays_asked(const trial_counts *w)
@@ -157,14 +152,14 @@ static inline double trial_sample(const branch_survey *b, int trial, size_t pixe
     if (trial == trial_terms) return trial_by_terms(b, pixel, i, w);
     ray eye = trial_ray(b, pixel, branching_pair(b->seed, pixel, i, 0));
     if (trial == trial_first) return trial_by_first(b, eye, pixel, i, w);
-    return (double)branching_radiance(&p, trial_branches(trial), eye, b->seed, pixel, i,
+    return (double)branching_radiance(&p, trial_row[trial].N, eye, b->seed, pixel, i,
                                       &w->c.walk).y;
 }
 
 static inline void trial_run(branch_survey *b, int trial, size_t pixel)
 {
     trial_part *part = &b->part[trial][pixel];
-    double exact = b->exact[trial_depth_index(trial)][pixel];
+    double exact = b->exact[trial_row[trial].depth][pixel];
     double n = b->budget / trial_most_rays(trial);
     for (uint64_t i = 0; i == 0 || (double)i < n; i++) {
         double e = trial_sample(b, trial, pixel, i, &part->work) - exact;
@@ -206,7 +201,7 @@ static inline estimate trial_square(const branch_survey *b, int trial, double *r
     for (size_t k = 0; k < b->pixels; k++) {
         asked += trial_rays_asked(&b->part[trial][k].work);
         square = estimate_merge(square, b->part[trial][k].square);
-        exact += b->exact[trial_depth_index(trial)][k] / (double)b->pixels;
+        exact += b->exact[trial_row[trial].depth][k] / (double)b->pixels;
     }
     *rays = (double)asked / (double)square.n;
     return (estimate){square.n, square.mean / exact / exact, square.squares / pow(exact, 4)};
@@ -217,21 +212,23 @@ typedef struct { double rays, error, off, time; } trial_result;  /* of a sample;
 /* Error in the same time, in some unit. */
 static inline double trial_dear(const trial_result *r) { return r->error * sqrt(r->time); }
 
-/* The trials before `end`; of_page: without N = 2 and N = 4 of one bounce. */
-static inline table branches_table(const char *title, const trial_result *r, int end, bool of_page)
+/* Beside N = 1 of as many bounces. */
+static inline void branches_table(const options *o, const trial_result *r)
 {
-    table t = table_new(title, "bounces|N|rays|error of a sample, -+ [1]|time of a sample [us]|"
-                               "time: error over that of N = 1");
-    for (int k = 0; k < end; k++) {
-        if (of_page && k > 0 && k < branch_kinds - 1) continue;
+    table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
+                        "the same time",
+                        "bounces|N|rays|error of a sample, -+ [1]|time of a sample [us]|"
+                        "time: error over that of N = 1");
+    for (int k = 0, one = 0; k < trials; k++) {
+        if (trial_row[k].N == 1 && k < trial_terms) one = k;
         table_count(&t, (size_t)trial_bounces(k));
-        if (k < trial_terms) table_count(&t, (size_t)trial_branches(k));
+        if (k < trial_terms) table_count(&t, (size_t)trial_row[k].N);
         else table_text(&t, k == trial_first ? "first" : "terms");
         table_number(&t, r[k].rays);
         table_text(&t, "%.3g -+ %.1g", r[k].error, r[k].off), table_number(&t, r[k].time);
-        table_number(&t, trial_dear(&r[k]) / trial_dear(&r[trial_depth_index(k) * branch_kinds]));
+        table_number(&t, trial_dear(&r[k]) / trial_dear(&r[one]));
     }
-    return t;
+    output_table(o, &t);
 }
 
 static inline void measure_branches(const options *o)
@@ -250,14 +247,7 @@ static inline void measure_branches(const options *o)
         r[k].error = sqrt(square.mean), r[k].off = estimate_error(square) / (2 * r[k].error);
         r[k].time = us[k] / timed[k].rays * r[k].rays;
     }
-    table t = branches_table("Cornell box, N directions a hit: relative error (rms) of a sample, "
-                             "and in the same time", r, trials, true);
-    output_table(o, &t);
-    if (o->full) {
-        t = branches_table("Cornell box, one bounce: relative error (rms) of a sample, and in the "
-                           "same time", r, branch_kinds, false);
-        output_extra_table(o, &t);
-    }
+    branches_table(o, r);
     trials_end(b), free(b);
 }
 
