@@ -263,52 +263,6 @@ static void test_naive(void)
     path_tracer_free(&t), showcase_free(&c);
 }
 
-/* Strategies that must agree, in a room with glass, mirror, gloss, two lights and a sky. */
-static void crowded(lit_scene *s)
-{
-    lit_cornell_begin(s);
-    material gloss = {.mirror = vec(0.9, 0.7, 0.4), .alpha = ggx_alpha(0.4)};
-    material lamp = {.kd = vec(0.5, 0.5, 0.5), .ke = {3, 4, 5}};
-    lit_add_shape(s, shape_of_sphere((sphere){{420, 80, 150}, 80}), lit_add_material(s, gloss));
-    lit_add_shape(s, shape_of_sphere((sphere){{100, 400, 300}, 60}), lit_add_material(s, lamp));
-    material ball = material_glass((medium){1.5, vec(0.001, 0, 0.002), 0}, 0);
-    lit_add_shape(s, shape_of_sphere((sphere){{180, 235, 160}, 70}), lit_add_material(s, ball));
-    s->background = vec(0.2, 0.3, 0.4);
-    lit_end(s);
-}
-
-static void test_strategies_agree(void)
-{
-    lit_scene s;
-    environment sky;
-    estimate best[3], e[3];
-    environment_sky(32, 16, vec(0, 0.3, -1), &sky);
-    crowded(&s);
-    ray r = ray_between((vec3){278, 273, -800}, (vec3){330, 20, 60});
-    for (int o = 0; o < 6; o++) {
-        path_options how = path_defaults;
-        path_counts c = {0};
-        how.sequence = SEQUENCE_RANDOM;
-        if (o == 1) how.mis = false;
-        if (o == 2) how.light_sampling = how.mis = false;
-        if (o == 3) how.roulette = ROULETTE_FIXED;
-        if (o == 4) how.roulette = ROULETTE_NONE, how.bounces = 100;
-        if (o == 5) how.spend_all = true;
-        path_tracer t;
-        path_tracer_of(&s, &sky, how, &t);
-        along(&t, r, check_count(o == 2 ? 1500 : 500), 16, e, &c);
-        for (int k = 0; k < 3; k++) {
-            if (o == 0) best[k] = e[k];
-            else if (o == 5) check_equal(e[k].mean, best[k].mean, "spend_all changes no bit");
-            else check_at_least(welch_test(e[k], best[k]), false_alarm,
-                                "strategy %d, channel %d: %g, not %g", o, k, e[k].mean,
-                                best[k].mean);
-        }
-        path_tracer_free(&t);
-    }
-    lit_free(&s), environment_free(&sky);
-}
-
 /* ---- roulette: X / q with probability q has the mean of X ---- */
 
 static void test_roulette(void)
@@ -375,6 +329,27 @@ static void test_in_glass(void)
     lit_end(&s);
     test_strategies(&s, NULL, ray_between((vec3){0, 0, 5}, to), 12, "in glass", e);
     lit_free(&s);
+}
+
+/* A room with glass, gloss, two lights and a sky. */
+static void test_crowded(void)
+{
+    lit_scene s;
+    environment sky;
+    estimate e[3][3];
+    environment_sky(32, 16, vec(0, 0.3, -1), &sky);
+    lit_cornell_begin(&s);
+    material gloss = {.mirror = vec(0.9, 0.7, 0.4), .alpha = ggx_alpha(0.4)};
+    material lamp = {.kd = vec(0.5, 0.5, 0.5), .ke = {3, 4, 5}};
+    lit_add_shape(&s, shape_of_sphere((sphere){{420, 80, 150}, 80}), lit_add_material(&s, gloss));
+    lit_add_shape(&s, shape_of_sphere((sphere){{100, 400, 300}, 60}), lit_add_material(&s, lamp));
+    material ball = material_glass((medium){1.5, vec(0.001, 0, 0.002), 0}, 0);
+    lit_add_shape(&s, shape_of_sphere((sphere){{180, 235, 160}, 70}), lit_add_material(&s, ball));
+    s.background = vec(0.2, 0.3, 0.4);
+    lit_end(&s);
+    ray r = ray_between((vec3){278, 273, -800}, (vec3){330, 20, 60});
+    test_strategies(&s, &sky, r, 31, "crowded", e);
+    lit_free(&s), environment_free(&sky);
 }
 
 /* A lamp over a floor to which it has its front, its back, or, shining from both, either of them:
@@ -626,6 +601,6 @@ int main(void)
     return check_all("26_path_tracer", test_roulette, test_closed_sphere, test_furnace,
                      test_leaning_normals, test_glass, test_rough_glass, test_called_for,
                      test_choice_of_light, test_counts, test_in_glass, test_sides, test_rough_lit,
-                     test_rough_noise, test_rough_point, test_no_light, test_strategies_agree,
+                     test_rough_noise, test_rough_point, test_no_light, test_crowded,
                      test_naive);
 }
