@@ -129,7 +129,7 @@ static void test_closed_forms(void)
     check_at_least(tests, 30, "settings and ways with something to test");
 }
 
-/* ---- glossy: the ways agree; in a closed furnace of radiance 1 each gives the albedo ---- */
+/* ---- glossy: in a closed furnace of radiance 1 each way gives the albedo ---- */
 
 static void test_glossy(void)
 {
@@ -137,29 +137,18 @@ static void test_glossy(void)
     const brdf list[3] = {brdf_ggx(f0, .4), brdf_ggx(f0, .7),
                           brdf_blinn_phong(vec(.2, .2, .2), vec(.6, .6, .6), 50)};
     size_t n = check_count(20000);
-    setting all = setting_of(14), rect = setting_of(3), ball = setting_of(10);
+    setting all = setting_of(14);
     for (int i = 0; i < 3; i++) {
         double albedo = (double)brdf_albedo(&list[i], wo.z).x;
-        outcome other[2];
-        for (int k = 0; k < 2; k++)
-            other[k] = measure(k ? &ball.s : &rect.s, DIRECT_COSINE, LIGHTS_ALL, list[i], wo,
-                               2 * n, false);
-        for (int way = 0; way < direct_ways; way++) {
+        for (int way = DIRECT_BRDF; way < direct_ways; way++) {
             /* by all directions alike a narrow lobe is met too seldom for a normal mean */
-            if (way < DIRECT_BRDF || (way == DIRECT_AREA && i == 0)) continue;
+            if (way == DIRECT_AREA && i == 0) continue;
             outcome o = measure(&all.s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
             check_at_least(t_test(o.e, albedo, 3e-3), alarm, "furnace, brdf %d, %s", i,
                            direct_name[way]);
-            for (int k = 0; k < 2; k++) {
-                const lit_scene *s = k ? &ball.s : &rect.s;
-                outcome a = measure(s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
-                double error = hypot(estimate_error(a.e), estimate_error(other[k].e));
-                check_at_most(fabs(a.e.mean - other[k].e.mean), 6 * error + 1e-12,
-                              "brdf %d, light %d, %s against cosine", i, k, direct_name[way]);
-            }
         }
     }
-    lit_free(&all.s), lit_free(&rect.s), lit_free(&ball.s);
+    lit_free(&all.s);
 }
 
 /* Veach's theorem 9.2 for one sample of each: V(balance) <= V(any other weights) + mu^2 / 2, hence

@@ -340,6 +340,28 @@ static void test_materials(void)
     static const struct { double kd[3]; double ke; } is[6] = {
         {{0.72, 0.7, 0.66}, 0}, {{0.72, 0.7, 0.66}, 0}, {{0.5, 0.25, 0}, 0}, {{0, 0, 0}, 3},
         {{1, 0.5, 0}, 0}, {{0.5, 0.25, 0}, 0}};
+#define model "@m.obj --size 8x6 "
+#define once model "--samples 1 --out @p.pfm"
+    static const struct {  /* a file that is written anew, or removed; then a run; what it says */
+        const char *file, *text, *arguments;
+        int status;
+        const char *what, *says[2], *quiet;
+    } list[] = {
+        {NULL, NULL, model "--samples 2 --save @m.state --out @p.pfm", 0, "a state",
+         {"m.obj: material 'nobody' is nowhere described: grey\n"}, "only Kd"},
+        {"a.mtl", RED "Ks 1 1 1\n", model "--samples 3 --resume @m.state --out @p.pfm", 2,
+         "another library: another picture", {NULL}, NULL},
+        {NULL, NULL, once, 0, "shiny", {"only Kd and Ke are used here"}, NULL},
+        {NULL, NULL, model "--samples 1 --save @a.mtl --out @p.pfm", 2,
+         "no state instead of a library", {NULL}, NULL},
+        {"a.mtl", "newmtl red\nKd red\n", once, 2, "a broken library",
+         {"a.mtl:2: Kd: not a number"}, NULL},
+        {"a.mtl", NULL, once, 0, "a library that is not there, and one that might have it",
+         {"mtllib a.mtl: no such file", "material 'nobody' is nowhere described"}, NULL},
+        {"b.mtl", NULL, once, 0, "no library: that is said already", {NULL}, "nowhere"},
+        {"m.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl None\nf 1 2 3\nusemtl\nf 1 2 3\nusemtl b\n"
+         "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl (null)\nf 1 2 3\n", once, 0,
+         "none is asked for", {"material 'a' is nowhere described: grey (and 1 more)\n"}, NULL}};
     showcase c;
     failure f;
     put("m.obj", MODEL), put("a.mtl", RED), put("b.mtl", OTHERS);
@@ -358,30 +380,15 @@ static void test_materials(void)
     check_equal(c.s.materials, 5, "grey, three of the model, the floor: a material each");
     check(c.s.emitter->both, "which shines from both sides");
     showcase_free(&c);
-    check_equal(go("@m.obj --size 8x6 --samples 2 --save @m.state --out @p.pfm"), 0, "a state");
-    check(printed("err", "m.obj: material 'nobody' is nowhere described: grey\n"), "is named");
-    check(!printed("err", "only Kd"), "an unused material says nothing");
-    put("a.mtl", RED "Ks 1 1 1\n");
-    check_equal(go("@m.obj --size 8x6 --samples 3 --resume @m.state --out @p.pfm"), 2,
-                "another library: another picture");
-    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "shiny");
-    check(printed("err", "only Kd and Ke are used here"), "what is not used is named");
-    check_equal(go("@m.obj --size 8x6 --samples 1 --save @a.mtl --out @p.pfm"), 2,
-                "no state instead of a library");
-    put("a.mtl", "newmtl red\nKd red\n");
-    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 2, "a broken library");
-    check(printed("err", "a.mtl:2: Kd: not a number"), "says where");
-    remove(in_directory("a.mtl"));
-    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "a library that is not there");
-    check(printed("err", "mtllib a.mtl: no such file"), "is named");
-    check(printed("err", "material 'nobody' is nowhere described"), "b.mtl might have it");
-    remove(in_directory("b.mtl"));
-    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "no library");
-    check(!printed("err", "nowhere"), "that is said already");
-    put("m.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl None\nf 1 2 3\nusemtl\nf 1 2 3\nusemtl b\n"
-        "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl (null)\nf 1 2 3\n");
-    check_equal(go("@m.obj --size 8x6 --samples 1 --out @p.pfm"), 0, "none is asked for");
-    check(printed("err", "material 'a' is nowhere described: grey (and 1 more)\n"), "both names");
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        if (list[k].text) put(list[k].file, list[k].text);
+        else if (list[k].file) remove(in_directory(list[k].file));
+        check_equal(go(list[k].arguments), list[k].status, "%s", list[k].what);
+        for (int i = 0; i < 2 && list[k].says[i]; i++)
+            check(printed("err", list[k].says[i]), "%s: %s", list[k].what, list[k].says[i]);
+        if (list[k].quiet)
+            check(!printed("err", list[k].quiet), "%s: no %s", list[k].what, list[k].quiet);
+    }
 }
 
 /* One run, a part of it resumed, and three ranges merged are the same bytes; --up z is the model
