@@ -6,8 +6,8 @@
  *
  * All for a, b > 0; the first two lie between 0 and 1. x < 0 counts as 0, and a NaN gives NaN.
  * beta_below takes x and 1-x, since near 1 the second has the digits that the first has lost: a
- * t-test asks for x = 1 - 1e-12. No p-value of 1e-300 is 1 minus something: it is right in all digits but the
- * last few. Relative error some 1e-14 times a + b + x.
+ * t-test asks for x = 1 - 1e-12. No p-value of 1e-300 is 1 minus something: it is right in all
+ * digits but the last few. Relative error some 1e-14 times a + b + x.
  *
  * The C library has lgamma, but it may store a sign in a variable that all threads share.
  *
