@@ -84,8 +84,8 @@ static void test_known_triangles(void)
           "NaN stays");
 }
 
-/* Tiny, slivers, near the plane, near an edge, near a corner, far: the worst of each variant. Of the
- * corner: b - p is not to be taken as (a - p) + (b - a). */
+/* Tiny, slivers, near the plane, near an edge, near a corner, far: the worst of each variant. Near
+ * the corner b - p is not to be taken as (a - p) + (b - a). */
 static triangle hard_triangle(random_stream *s, vec3 *p)
 {
     const double lo = real_is_float ? -5 : -12;
