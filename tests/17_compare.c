@@ -7,7 +7,6 @@
 #include "structure.h"
 
 static const contender_settings as_it_is = {.n = 0};
-static const compare_choice usual_choice = {.how = {.n = 0}};
 
 static world tiny(const char *name)
 {
@@ -362,141 +361,6 @@ static void test_aim(void)
 
 /* Broken on purpose. --------------------------------------------------------------------------- */
 
-/* Shrinks the box of the leaf that holds the shape; the ray at it is lost there. */
-static void test_shrunk_box(const char *name)
-{
-    world w = tiny(name);
-    scene all = world_scene(&w);
-    items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
-    failure f;
-    compare_entry e = {.c = &bvh_contender, .choice = &usual_choice};
-    e.s = contender_build(e.c, &as_it_is, &x, (size_t)1 << 30, &f);
-    ray r = {{0, 0, 0}, 0, {0, 0, 0}, 0};
-    hit due = hit_none;
-    for (int k = 0; k < 100 && due.shape == no_shape; k++) {
-        r = world_ray(&w, (real)0.01 * (real)k, -0.1);
-        items_hit(&x, r, &due);
-    }
-    check(due.shape != no_shape, "%s: a ray hits", name);
-    const bvh *b = e.s;
-    const bvh_tree *t = bvh_tree_of(b);
-    size_t shrunk = 0, length;
-    char *text;
-    FILE *out = open_memstream(&text, &length);
-    check(prove_entry(&e, &x, &r, &due, 1, true, "brute force", out) && ftell(out) == 0,
-          "the tree is right");
-    for (size_t i = 0; i < t->nodes; i++)
-        for (uint32_t k = 0; k < t->node[i].count; k++) {
-            bvh_box *box = &t->node[i];
-            uint32_t at = t->node[i].first + k;
-            if ((x.m ? b->mesh.triangle[at].index : b->index[at]) != due.shape) continue;
-            for (int j = 0; j < 3; j++) box->minus_high[j] = -box->low[j];
-            shrunk++;
-        }
-    check_equal(shrunk, 1, "%s: its leaf is found", name);
-    check(!prove_entry(&e, &x, &r, &due, 1, true, "brute force", out),
-          "%s: broken, and found out", name);
-    fclose(out);
-    check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
-    check(strstr(text, "it is not listed where it is hit"), "%s: outside its box: %s", name, text);
-    check(strstr(text, "alone, it is right here"), "%s: only this tree is broken: %s", name, text);
-    free(text);
-    contender_free(e.c, e.s);
-    world_free(&w);
-}
-
-/* A structure over a teapot, one of whose verbs may be broken; a ray, and what brute force says. */
-typedef struct { mesh m; items x; contender c; compare_entry e; ray r; hit due; } patient;
-
-static patient *patient_new(const contender *c, ray r)
-{
-    patient *p = allocate(1, sizeof *p);
-    failure f;
-    p->m = teapot_mesh(4), p->x = items_of_mesh(&p->m), p->c = *c, p->r = r;
-    p->e.c = &p->c, p->e.choice = &usual_choice;
-    p->e.s = contender_build(c, &as_it_is, &p->x, (size_t)1 << 30, &f);
-    if (!p->e.s) fail(f);
-    p->due = hit_none;
-    items_hit(&p->x, r, &p->due);
-    return p;
-}
-
-/* What the proof says of it: that it is wrong, and why. For free. */
-static char *patient_said(const patient *p)
-{
-    char *text;
-    size_t length;
-    FILE *out = open_memstream(&text, &length);
-    check(!prove_entry(&p->e, &p->x, &p->r, &p->due, 1, true, "brute force", out),
-          "%s: found out", p->c.name);
-    fclose(out);
-    return text;
-}
-
-static void patient_free(patient *p)
-{
-    contender_free(p->e.c, p->e.s);
-    mesh_free(&p->m);
-    free(p);
-}
-
-static const ray through_pot = {{0, -10, 1}, 0, {0.01, 1, 0.02}, real_infinity};
-
-/* Searches that lose what is more than 3 beyond their beginning; of any structure. */
-static const contender *sighted;
-
-static bool short_sighted_hit(const void *s, ray r, hit *out)
-{
-    hit h;
-    if (!sighted->hit(s, r, &h) || h.t > r.tmin + 3) return false;
-    *out = h;
-    return true;
-}
-
-static bool short_sighted_occluded(const void *s, ray r)
-{
-    hit h;
-    return short_sighted_hit(s, r, &h);
-}
-
-static void test_lost_way(patient *p, bool any)
-{
-    const contender right = p->c;
-    sighted = contender_find(right.name);
-    if (any) p->c.occluded = short_sighted_occluded;
-    else p->c.hit = short_sighted_hit;
-    check(p->due.shape != no_shape && p->due.t > 4, "the ray hits beyond t = 4");
-    char *text = patient_said(p), answer[64];
-    snprintf(answer, sizeof answer, "%s: %s", right.name, any ? "occluded: no" : "no hit");
-    check(strstr(text, answer), "what it answers: %s", text);
-    check(strstr(text, "found on the interval [t, t] alone"), "found from near by: %s", text);
-    const char *at = strstr(text, "begins at t = ");
-    double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
-    check_close(begins, (double)p->due.t - 3, 16 * (double)real_epsilon,
-                "%s: lost from more than 3 away: %s", right.name, text);
-    item_cell cell;
-    bool known = contender_cell(&p->c, p->e.s, p->due.shape, ray_at(p->r, p->due.t), &cell);
-    check(strstr(text, " itself") && !strstr(text, "not listed")
-          && (!known || strstr(text, "box that lists it: x ")),
-          "%s: it is where it should be: %s", right.name, text);
-    snprintf(answer, sizeof answer, "built of shape %u alone, it is just as wrong", p->due.shape);
-    check(strstr(text, answer), "%s: that shape is enough: %s", right.name, text);
-    free(text);
-    p->c = right;
-}
-
-/* All but brute force. */
-static void test_patients(void)
-{
-    for (int k = 1; k < contenders; k++) {
-        const contender *c = contender_list[k];
-        if (c->role != CONTENDER_USUAL) continue;
-        patient *p = patient_new(c, through_pot);
-        for (int any = 0; any < 2; any++) test_lost_way(p, any);
-        patient_free(p);
-    }
-}
-
 /* Wrong only where a direction is so long that searches scale t. */
 static bool unscaled_hit(const void *s, ray r, hit *out)
 {
@@ -519,110 +383,6 @@ static void test_unscaled(void)
         check(!compare_prove(&s, SIZE_MAX, 400, 7, out), "%s: t unscaled is found out", w.name);
         fclose(out), compare_end(&s), world_free(&w);
     }
-}
-
-static bool dreaming_hit(const void *s, ray r, hit *out)
-{
-    (void)s, (void)r;
-    *out = (hit){1, 0, 0, 5};
-    return true;
-}
-
-/* A tie that the wrong one wins. */
-static bool later_hit(const void *s, ray r, hit *out)
-{
-    if (!bvh_hit(s, r, out)) return false;
-    out->shape++;
-    return true;
-}
-
-static void test_wrong_answers(void)
-{
-    static const ray past = {{9, 9, 9}, 0, {1, 0, 0}, real_infinity};
-    static const struct {
-        bool (*search)(const void *s, ray r, hit *out);
-        const ray *r;
-        bool hits;
-        const char *says;
-    } wrong[] = {{later_hit, &through_pot, true, "the lower index must win"},
-                 {dreaming_hit, &past, false, "a hit that does not exist"}};
-    for (int k = 0; k < 2; k++) {
-        patient *p = patient_new(&bvh_contender, *wrong[k].r);
-        p->c.hit = wrong[k].search;
-        check((p->due.shape != no_shape) == wrong[k].hits, "what brute force says");
-        char *text = patient_said(p);
-        check(strstr(text, wrong[k].says), "explained: %s: %s", wrong[k].says, text);
-        free(text);
-        patient_free(p);
-    }
-}
-
-/* Searches that see nothing so close to the ends of the interval. */
-static real blind_at[2];
-
-static bool blind_hit(const void *s, ray r, hit *out)
-{
-    hit h;
-    if (!bvh_hit(s, r, &h)) return false;
-    *out = h;
-    return h.t >= r.tmin + blind_at[0] && h.t <= r.tmax - blind_at[1];
-}
-
-static bool strict_hit(const void *s, ray r, hit *out)
-{
-    hit h;
-    if (!bvh_hit(s, r, &h)) return false;
-    *out = h;
-    return h.t < r.tmax;
-}
-
-/* An end that is left out is found out, and the explanation says how much is. */
-static void test_open_ends(void)
-{
-    static const real by = (real)1 / 1024, ends[4][2] = {{0, by}, {by, 0}, {by, by}};
-    static const char reaches[] = "reaches ";
-    for (int k = 0; k < 4; k++) {
-        patient *p = patient_new(&bvh_contender, through_pot);
-        bool strict = k == 3;
-        double least = (double)(strict ? p->due.t * real_epsilon / 2 : by);
-        memcpy(blind_at, ends[k], sizeof blind_at);
-        p->c.hit = strict ? strict_hit : blind_hit;
-        char *text = patient_said(p);
-        const char *at = strstr(text, reaches);
-        double said = at ? strtod(at + strlen(reaches), NULL) : 0;
-        check(said > 0.9 * least && said < 2.2 * least, "%d: within %g of an end: %s", k, least,
-              text);
-        free(text);
-        patient_free(p);
-    }
-}
-
-/* Loses what is at t = 0, where the last digit of t is nothing. */
-static bool forward_hit(const void *s, ray r, hit *out)
-{
-    return bvh_hit(s, r, out) && out->t > 0;
-}
-
-static void say_in_time(void *p)
-{
-    alarm(60);  /* it once never ended */
-    char *text = patient_said(p);
-    fputs(text, stdout), free(text);
-}
-
-static void test_zero(void)
-{
-    patient *p = patient_new(&bvh_contender, through_pot);
-    p->r.o = mesh_triangle(&p->m, p->due.shape).a;
-    p->due = hit_none;
-    items_hit(&p->x, p->r, &p->due);
-    check(p->due.shape != no_shape && p->due.t == 0, "a ray that begins at a corner hits there");
-    p->c.hit = forward_hit;
-    child_result said = child_run(say_in_time, p);
-    check(said.status == 0 && strstr(said.out, "bvh: wrong ray: o = ")
-              && strstr(said.out, "[t, t] either"),
-          "a lost t = 0 is explained, in time: %d: %s", said.status, said.out);
-    patient_free(p);
 }
 
 /* A structure alone is proved by brute force alone, and nothing proves nothing. */
@@ -1078,9 +838,6 @@ static void test_orders(void)
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
-    test_shrunk_box("teapot");
-    test_shrunk_box("tetra");
-    test_shrunk_box("gears");
     if (run("17_compare", "--help") == 0) {
         put_scenes();
         test_misuse();
@@ -1091,8 +848,7 @@ int main(void)
     remove_directory();
     return check_all("17_compare", test_equality, test_solids, test_memory, test_brute_alone,
                      test_pile, test_one_slow, test_first_contenders, test_wrong_is_counted,
-                     test_alone, test_winners, test_kinds, test_aim, test_patients, test_unscaled,
-                     test_wrong_answers, test_open_ends, test_zero, test_costs, test_fewer,
-                     test_cheapest, test_growth, test_growth_leaves, test_orders, test_own,
-                     test_example, test_knobs, test_rule_names, test_front);
+                     test_alone, test_winners, test_kinds, test_aim, test_unscaled, test_costs,
+                     test_fewer, test_cheapest, test_growth, test_growth_leaves, test_orders,
+                     test_own, test_example, test_knobs, test_rule_names, test_front);
 }

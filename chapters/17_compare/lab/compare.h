@@ -282,7 +282,7 @@ static inline bool prove_entry(const compare_entry *e, const items *x, const ray
     wrong_answer w;
     for (size_t i = 0; i < n; i++) {
         if (prove_closed(e->c, e->s, r[i], due[i], closed ? aimed_ways : 1, &w)) continue;
-        explain_wrong(&w, &e->choice->how, x, oracle, out);
+        explain_wrong(&w, x, oracle, out);
         return false;
     }
     return true;

@@ -2,10 +2,10 @@
  * 09_aabb/structure.h makes of it, is one #include and one line of the list below; example.h is a
  * whole one, to begin with. If it has X_cell_of, too (cells.h), CELL(X) tells --verify.
  *
- *   LINE(id, "name", X, options, role)     id of its own; name for tables and --only; X is the type
- *                                          and the prefix of its verbs; X_options have a member
- *                                          most_bytes, and may depend on x, the items
- *   ALSO(..)                               an X that has a LINE, with other options
+ *   LINE(id, "name", X, options)     id of its own; name for tables and --only; X is the type and
+ *                                    the prefix of its verbs; X_options have a member most_bytes,
+ *                                    and may depend on x, the items
+ *   ALSO(..)                         an X that has a LINE, with other options
  *
  *   const contender *c = contender_find("octree");     NULL: no such name
  *   void *s = contender_build(c, &how, &x, most_bytes, &f);  NULL: it does not fit, f says so; how:
@@ -28,8 +28,7 @@
 /* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */
 #ifdef MINE
 #include MINE
-#define CONTENDER_MINE(LINE) \
-    LINE(mine, "mine", mine, ((mine_options){0}), CONTENDER_USUAL)
+#define CONTENDER_MINE(LINE) LINE(mine, "mine", mine, ((mine_options){0}))
 #else
 #define CONTENDER_MINE(LINE)
 #endif
@@ -45,37 +44,29 @@
 #define shape_cost(x) ((x)->s ? 4 : 1)
 
 #define CONTENDERS(LINE, ALSO)                                                                    \
-    LINE(brute, "brute", brute, ((brute_options){0}), CONTENDER_USUAL)                            \
-    LINE(grid, "grid", grid, grid_defaults, CONTENDER_USUAL)                                      \
-    LINE(nested, "nested", nested, nested_defaults, CONTENDER_USUAL)                              \
-    LINE(octree, "octree", octree, octree_how(x), CONTENDER_USUAL)                                \
-    LINE(kdtree, "kdtree", kdtree, kdtree_how(x), CONTENDER_USUAL)                                \
-    LINE(bsp, "bsp", bsp, bsp_how(x), CONTENDER_USUAL)                                            \
-    LINE(bvh, "bvh", bvh, bvh_how(x), CONTENDER_USUAL)                                            \
-    ALSO(bvh_morton, "bvh-morton", bvh, bvh_morton_how(x), CONTENDER_USUAL)                       \
-    ALSO(bvh_spatial, "bvh-spatial", bvh, bvh_spatial_how(x), CONTENDER_USUAL)                    \
-    LINE(wide, "wide", bvh8, wide_how(x), CONTENDER_USUAL)                                        \
-    LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
+    LINE(brute, "brute", brute, ((brute_options){0}))                                             \
+    LINE(grid, "grid", grid, grid_defaults)                                                       \
+    LINE(nested, "nested", nested, nested_defaults)                                               \
+    LINE(octree, "octree", octree, octree_how(x))                                                 \
+    LINE(kdtree, "kdtree", kdtree, kdtree_how(x))                                                 \
+    LINE(bsp, "bsp", bsp, bsp_how(x))                                                             \
+    LINE(bvh, "bvh", bvh, bvh_how(x))                                                             \
+    ALSO(bvh_morton, "bvh-morton", bvh, bvh_morton_how(x))                                        \
+    ALSO(bvh_spatial, "bvh-spatial", bvh, bvh_spatial_how(x))                                     \
+    LINE(wide, "wide", bvh8, wide_how(x))                                                         \
+    LINE(example, "example", example, ((example_options){0}))                                     \
     CONTENDER_MINE(LINE)                                                                          \
-    LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
-    ALSO(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
-    ALSO(first_octree, "first-octree", first_items, first_items_how(octree), CONTENDER_FIRST)     \
-    ALSO(first_kdtree, "first-kdtree", first_items, first_items_how(kdtree), CONTENDER_FIRST)     \
-    ALSO(first_bsp, "first-bsp", first_items, first_items_how(bsp), CONTENDER_FIRST)              \
-    ALSO(first_bvh, "first-bvh", first_items, first_items_how(bvh), CONTENDER_FIRST)              \
-    ALSO(first_wide, "first-wide", first_items, first_items_how(wide), CONTENDER_FIRST)           \
-    /* As in the published results of the SPD: so many cells an item, so deep. */                 \
-    ALSO(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), CONTENDER_NAMED)             \
-    ALSO(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), CONTENDER_NAMED)          \
-    ALSO(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), CONTENDER_NAMED)
+    LINE(first_mesh, "first-mesh", first_items, first_items_how(brute))                           \
+    ALSO(first_grid, "first-grid", first_items, first_items_how(grid))                            \
+    ALSO(first_octree, "first-octree", first_items, first_items_how(octree))                      \
+    ALSO(first_kdtree, "first-kdtree", first_items, first_items_how(kdtree))                      \
+    ALSO(first_bsp, "first-bsp", first_items, first_items_how(bsp))                               \
+    ALSO(first_bvh, "first-bvh", first_items, first_items_how(bvh))                               \
+    ALSO(first_wide, "first-wide", first_items, first_items_how(wide))
 
 #define CONTENDER_CELLS(CELL)                                                                     \
     CELL(grid) CELL(nested) CELL(octree) CELL(kdtree) CELL(bsp) CELL(bvh) CELL(bvh8)              \
     CELL(example) CONTENDER_MINE_CELL(CELL)
-
-/* In every table, plot, picture and proof; likewise, but may be wrong: counted, marked, no error;
- * only if asked for. */
-typedef enum { CONTENDER_USUAL, CONTENDER_FIRST, CONTENDER_NAMED } contender_role;
 
 /* A member of X_options: how far from its beginning, of which type, and its value. */
 typedef enum { KNOB_INT, KNOB_DOUBLE, KNOB_FLAG, KNOB_NAME } knob_type;
@@ -84,7 +75,6 @@ typedef struct { contender_setting set[8]; int n; } contender_settings;
 
 typedef struct {
     const char *name, *type;  /* type: X */
-    contender_role role;
     size_t size;
     bool (*build)(const items *x, const contender_settings *how, size_t most_bytes, void *out,
                   failure *f);
@@ -129,7 +119,7 @@ static inline void contender_set(void *members, const contender_settings *how)
     }
 }
 
-#define CONTENDER_ALSO(id, text, X, options, its_role)                                          \
+#define CONTENDER_ALSO(id, text, X, options)                                                    \
     static bool id##_c_build(const items *x, const contender_settings *set, size_t most_bytes,  \
                              void *out, failure *f)                                             \
     {                                                                                           \
@@ -138,10 +128,10 @@ static inline void contender_set(void *members, const contender_settings *how)
         how.most_bytes = most_bytes;                                                            \
         return X##_build(x, how, out, f);                                                       \
     }                                                                                           \
-    static const contender id##_contender = {text, #X, its_role, sizeof(X), id##_c_build,       \
+    static const contender id##_contender = {text, #X, sizeof(X), id##_c_build,                 \
         X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_free};
 /* The verbs of X, and the first who uses them. */
-#define CONTENDER_LINE(id, text, X, options, its_role)                                          \
+#define CONTENDER_LINE(id, text, X, options)                                                    \
     __attribute__((noinline))                                                                   \
     static size_t X##_c_search(const void *s, const ray *r, size_t n, bool any, hit *out)       \
     {                                                                                           \
@@ -168,10 +158,10 @@ static inline void contender_set(void *members, const contender_settings *how)
     }                                                                                           \
     static structure_stats X##_c_stats(const void *s) { return X##_stats(s); }                  \
     static void X##_c_free(void *s) { X##_free(s); }                                            \
-    CONTENDER_ALSO(id, text, X, options, its_role)
+    CONTENDER_ALSO(id, text, X, options)
 CONTENDERS(CONTENDER_LINE, CONTENDER_ALSO)
 
-#define CONTENDER_PLACE(id, text, X, options, its_role) &id##_contender,
+#define CONTENDER_PLACE(id, text, X, options) &id##_contender,
 static const contender *const contender_list[] = {CONTENDERS(CONTENDER_PLACE, CONTENDER_PLACE)};
 enum { contenders = sizeof contender_list / sizeof *contender_list };
 
@@ -200,7 +190,11 @@ static inline bool contender_cell(const contender *c, const void *s, uint32_t it
     return false;
 }
 
-static inline bool contender_is_first(const contender *c) { return c->role == CONTENDER_FIRST; }
+/* May be wrong: that is counted and marked, and is no error. */
+static inline bool contender_is_first(const contender *c)
+{
+    return strcmp(c->type, first_mesh_contender.type) == 0;
+}
 
 static inline void contender_free(const contender *c, void *s)
 {

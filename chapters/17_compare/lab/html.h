@@ -32,22 +32,6 @@ static inline void html_escaped(FILE *out, const char *text)
         else putc(*text, out);
 }
 
-/* The processor's name, where the system says it. */
-static inline void html_processor(FILE *out)
-{
-    char line[256];
-    FILE *in = fopen("/proc/cpuinfo", "r");
-    while (in && fgets(line, sizeof line, in)) {
-        const char *name = strchr(line, ':');
-        if (strncmp(line, "model name", 10) != 0 || !name) continue;
-        line[strcspn(line, "\n")] = 0;
-        html_escaped(out, name + 2);
-        fprintf(out, "; ");
-        break;
-    }
-    if (in) fclose(in);
-}
-
 cold_inline html_report *html_begin(const options *o, const char *path, const char *title)
 {
     static const char *const style =
@@ -64,6 +48,7 @@ cold_inline html_report *html_begin(const options *o, const char *path, const ch
         "th, td:first-child { background: #f4f4f4; }\n"
         "td:first-child, th:first-child { position: sticky; left: 0; }\n"
         "img, svg { max-width: 100%; height: auto; }\n"
+        "td svg { max-width: none; overflow: visible; }\n"
         "@media (max-width: 900px) { .wide > svg, .wide > img { max-width: none; } }\n";
     failure f;
     struct utsname u;
@@ -80,10 +65,8 @@ cold_inline html_report *html_begin(const options *o, const char *path, const ch
             "<title>%s</title>\n<style>\n%s</style></head><body>\n<h1>%s</h1>\n<p class=\"run\">",
             title, style, title);
     if (uname(&u) >= 0) fprintf(out, "%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
-    html_processor(out);
-    fprintf(out, "%s%s; flags %s; real = %s</p>\n",
-            strstr(__VERSION__, "lang") ? "" : "gcc ", __VERSION__, BUILD_FLAGS,
-            real_is_float ? "float" : "double");
+    fprintf(out, "%s%s; flags %s; real = %s</p>\n", strstr(__VERSION__, "lang") ? "" : "gcc ",
+            __VERSION__, BUILD_FLAGS, real_is_float ? "float" : "double");
     return r;
 }
 

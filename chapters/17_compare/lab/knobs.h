@@ -83,12 +83,11 @@ static inline void choose(line_up *all, const contender *c)
     text_add(p->label, sizeof p->label, "%.40s", c->name);
 }
 
-/* Those that take part without being asked for. */
+/* Those that take part without being asked for: all. */
 static inline line_up choose_usual(void)
 {
     line_up all = {.n = 0};
-    for (int k = 0; k < contenders; k++)
-        if (contender_list[k]->role != CONTENDER_NAMED) choose(&all, contender_list[k]);
+    for (int k = 0; k < contenders; k++) choose(&all, contender_list[k]);
     return all;
 }
 

@@ -6,15 +6,11 @@
  *   bool prove_closed(c, s, r, due, aimed_ways, &w)   the same, and again on [tmin, t] and [t, t],
  *                                         t that of the hit: the interval is closed, so both find
  *                                         it (17.10); one way: as it came
- *   explain_wrong(&w, how, &x, oracle, out)     the ray, what it should hit, and what it did; then:
- *
- *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
- *          |---------[---------x-]-----|     until it is found, and finds by halving where the
- *                    a           b           interval must begin and end to lose it;
- *        is the point of the hit in the shape's own box, and in the nearest of those that list the
- *        shape? A little outside: rounding, for which boxes must be wider. Farther off: the shape
- *        is not listed where it is hit. Inside, and yet not found: the search does not come there;
- *        is it as wrong if built of that shape alone? Such a structure is small enough to follow.
+ *   explain_wrong(&w, &x, oracle, out)          the ray, what it should hit, and what it did; then:
+ *        is it found on [t, t]? If not, how much longer must that be? And is the point of the hit
+ *        in the shape's own box, and in the nearest of those that list the shape? A little outside:
+ *        rounding, for which boxes must be wider. Farther off: the shape is not listed where it is
+ *        hit. Inside, and yet not found: the search does not come there.
  *
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
  * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays. And one
@@ -80,24 +76,6 @@ static inline real window_wider(const wrong_answer *w)
     return 0;
 }
 
-/* One end of the interval, halved between where the hit is found and where it is lost; the other
- * end stays at the hit. */
-static inline void explain_end(const wrong_answer *w, real end, const char *which, FILE *out)
-{
-    real t = w->due.t, found = t, lost = end;
-    if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(t) - 1 : 4 * fabs(t) + 1;
-    if (window_finds(w, lost, t)) return;
-    for (int k = 0; k < 200; k++) {
-        real middle = found + (lost - found) / 2;
-        if (middle == found || middle == lost) break;
-        *(window_finds(w, middle, t) ? &found : &lost) = middle;
-    }
-    vec3 p = ray_at(w->r, lost);
-    fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
-                 "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,
-            (double)p.y, (double)p.z);
-}
-
 /* How much longer than [t, t] the interval must be: 0 if it is found there; infinity if no length
  * helps. */
 static inline real explain_window(const wrong_answer *w, FILE *out)
@@ -116,8 +94,6 @@ static inline real explain_window(const wrong_answer *w, FILE *out)
         return wider > 0 ? wider : real_infinity;
     }
     fprintf(out, "  found on the interval [t, t] alone: the way there is lost\n");
-    explain_end(w, w->r.tmin, "begins", out);
-    explain_end(w, w->r.tmax, "ends", out);
     if (window_finds(w, w->r.tmin, t))
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
     return 0;
@@ -172,24 +148,6 @@ static inline void explain_shape(const items *x, const wrong_answer *w, real wid
     if (listed) print_place(out, c, verdict_of(w, x, c, known, p, wider));
 }
 
-static inline void explain_alone(const contender_settings *how, const items *x,
-                                 const wrong_answer *w, FILE *out)
-{
-    failure f;
-    wrong_answer again;
-    hit due = hit_none;
-    uint32_t k = w->due.shape;
-    mesh m = x->m ? *x->m : (mesh){0};
-    scene alone = x->m ? (scene){0} : (scene){x->s->shapes + k, 1};
-    if (x->m) m.triangles = 1, m.index += 3 * (size_t)k;
-    items one = x->m ? items_of_mesh(&m) : items_of_scene(&alone);
-    items_hit(&one, w->r, &due);
-    void *s = contender_build(w->c, how, &one, SIZE_MAX, &f);
-    fprintf(out, "  built of shape %u alone, it is %s\n", k,
-            s && prove_ray(w->c, s, w->r, due, &again) ? "right here" : "just as wrong");
-    contender_free(w->c, s);
-}
-
 static inline void print_hit(FILE *out, const char *who, hit h)
 {
     if (h.shape == no_shape) fprintf(out, "  %s: no hit\n", who);
@@ -197,8 +155,8 @@ static inline void print_hit(FILE *out, const char *who, hit h)
                  (double)h.u, (double)h.v, h.shape);
 }
 
-static inline void explain_wrong(const wrong_answer *w, const contender_settings *how,
-                                 const items *x, const char *oracle, FILE *out)
+static inline void explain_wrong(const wrong_answer *w, const items *x, const char *oracle,
+                                 FILE *out)
 {
     const ray *r = &w->r;
     fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
@@ -215,7 +173,6 @@ static inline void explain_wrong(const wrong_answer *w, const contender_settings
     }
     real wider = explain_window(w, out);
     explain_shape(x, w, wider, out);
-    explain_alone(how, x, w, out);
 }
 
 #endif

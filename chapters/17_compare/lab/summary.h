@@ -5,8 +5,8 @@
  *   summary_print(&m, to)               who wins: fastest without building, and with it; the tables
  *   summary_verdict(&m, to)             at the head of the report: who is fastest, by kind of rays
  *   summary_few(&m, to)                 one: wrong hits, building in all scenes, diffuse rays
- *   summary_chart(&m, to)               in the report, a drawing a scene: a ray, and building, each
- *                                       with its own scale, to the longest or four times the median
+ *   summary_chart(&m, to)               in the report, bars for each scene: a ray, and building,
+ *                                       each to the longest or four times the median
  *   measured_free(&m)
  */
 #ifndef COMPARE_LAB_SUMMARY_H
@@ -16,7 +16,7 @@
 
 /* Scenes, one after the other, of the same line-up. */
 typedef struct { const line_up *chosen; comparison *of; size_t n, room; } measured_scenes;
-enum { chart_wide = 430, chart_row = 24, chart_bar_most = 170, chart_left = 110 };  /* pixels */
+enum { chart_wide = 200 };  /* pixels, of the longest bar */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -154,16 +154,6 @@ static inline void summary_few(const measured_scenes *m, html_report *to)
     summary_table(m, to, title, true, 1e9, 0);
 }
 
-/* Its end. */
-static inline int chart_bar(FILE *out, int y, int down, double value, double most, const char *fill)
-{
-    const char *rectangle = "<rect x='%d' y='%d' width='%d' height='%d' fill='%s'/>\n";
-    int bar = (int)(chart_bar_most * fmin(value / most, 1) + 0.5), end = chart_left + bar;
-    fprintf(out, rectangle, chart_left, y, bar, down, fill);
-    if (value > most) fprintf(out, rectangle, end - 16, y, 4, down, "white");
-    return end;
-}
-
 /* Of n >= 0 values: where bars end. */
 static inline double chart_scale(double *x, int n)
 {
@@ -171,49 +161,49 @@ static inline double chart_scale(double *x, int n)
     return n ? fmin(x[n - 1], 4 * median) : 1;
 }
 
-/* A ray, and building a shape [ns]; the quartiles of the first: the mean of the kinds of rays. */
-static inline void chart_row_of(FILE *out, const comparison *s, const compare_entry *e, int y,
-                                const double most[2])
+/* A bar, its quartiles upon it, and the number. */
+static inline void chart_bar(FILE *out, double x, double most, double spread, const char *fill)
 {
-    char text[72] = "does not fit";
-    double its = cost_mean(s, e) * 1e9, build = per(e->build, s->x.n) * 1e9, off = 0;
-    size_t kinds = 0;
-    int end = chart_left;
-    for (int k = 0; k < compare_kinds; k++)
-        if (e->rays[k]) off += e->spread[k], kinds++;
-    if (its > 0) {
-        end = chart_bar(out, y + 3, 9, its, most[0], "#0072B2");
-        off = (end - chart_left) * per(off, kinds);
-        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", end - off,
-                y + 7, end + off);
-        int second = chart_bar(out, y + 13, 6, build, most[1], "#E69F00");
-        end = second > end ? second : end;
-        snprintf(text, sizeof text, "%.*f, %.*f", its < 100, its, build < 100, build);
-    }
-    plot_text(out, end + 6, y + 15, "font-size=\"12\"", text);
-    plot_text(out, chart_left - 6, y + 15, strlen(e->choice->label) > 14
-              ? "font-size=\"9\" text-anchor=\"end\"" : "font-size=\"12\" text-anchor=\"end\"",
-              e->choice->label);
+    double end = chart_wide * fmin(x / most, 1);
+    fprintf(out, "<td><svg width='%d' height='12'><rect width='%.1f' height='12' fill='%s'/>",
+            (int)chart_wide, end, fill);
+    if (x > most) fprintf(out, "<rect x='%.1f' width='4' height='12' fill='white'/>", end - 16);
+    if (spread > 0)
+        fprintf(out, "<path d='M%.1f,6H%.1f' stroke='black' stroke-width='2'/>",
+                end * (1 - spread), end * (1 + spread));
+    fprintf(out, "</svg> %.*f</td>", x < 100, x);
 }
 
-static inline void chart_scene(FILE *out, const comparison *s)
+/* A ray, and building a shape; of the first the quartiles, the mean of the kinds of rays. */
+static inline void chart_row(FILE *out, const comparison *s, const compare_entry *e,
+                             const double most[2])
+{
+    double its = cost_mean(s, e) * 1e9, off = 0;
+    size_t kinds = 0;
+    for (int k = 0; k < compare_kinds; k++)
+        if (e->rays[k]) off += e->spread[k], kinds++;
+    fprintf(out, "<tr><td>%s</td>", e->choice->label);
+    if (its > 0) {
+        chart_bar(out, its, most[0], per(off, kinds), "#0072B2");
+        chart_bar(out, per(e->build * 1e9, s->x.n), most[1], 0, "#E69F00");
+    } else fprintf(out, "<td>does not fit</td>");
+    fprintf(out, "</tr>\n");
+}
+
+static inline void chart_scene(const html_report *to, const comparison *s)
 {
     double value[2][compare_most];
-    int n = 0, rows = 0, row = 0;
-    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++) {
-        rows += contender_counts(e->c);
+    int n = 0;
+    const compare_entry *end = s->entry + s->entries;
+    for (const compare_entry *e = s->entry; e < end; e++)
         if (entry_counts(e) && cost_mean(s, e) > 0)
             value[0][n] = cost_mean(s, e) * 1e9, value[1][n++] = per(e->build * 1e9, s->x.n);
-    }
     const double most[2] = {chart_scale(value[0], n), chart_scale(value[1], n)};
-    int high = (rows + 1) * chart_row;
-    fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
-                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n", chart_wide, high, chart_wide,
-            high);
-    plot_text(out, chart_left, 16, "font-size=\"13\"", s->name);
-    for (const compare_entry *e = s->entry; e < s->entry + s->entries; e++)
-        if (contender_counts(e->c)) chart_row_of(out, s, e, ++row * chart_row, most);
-    fprintf(out, "</svg>\n");
+    html_element(to, "h3", s->name);
+    fprintf(to->body, "<div class=\"wide\"><table>\n");
+    for (const compare_entry *e = s->entry; e < end; e++)
+        if (contender_counts(e->c)) chart_row(to->body, s, e, most);
+    fprintf(to->body, "</table></div>\n");
 }
 
 static inline void summary_chart(const measured_scenes *m, const html_report *to)
@@ -221,10 +211,7 @@ static inline void summary_chart(const measured_scenes *m, const html_report *to
     html_element(to, "h2", "What a ray costs, and what building costs");
     html_element(to, "p", "Blue: a ray [ns], the median, and how far its quartiles are apart. "
                  "Orange: building [ns a shape]. A broken bar is longer than there is room.");
-    if (!to->body) return;
-    fprintf(to->body, "<div class=\"wide\">\n");
-    for (size_t k = 0; k < m->n; k++) chart_scene(to->body, &m->of[k]);
-    fprintf(to->body, "</div>\n");
+    for (size_t k = 0; to->body && k < m->n; k++) chart_scene(to, &m->of[k]);
 }
 
 #endif

@@ -1,9 +1,10 @@
-/* Where structures keep a shape, cells.h, and what 17's --verify says of it when a hit is lost. */
+/* Where structures keep a shape, cells.h, and what 17's --verify says when a search is wrong. */
 #include "../chapters/09_aabb/trials/borders.h"
 #include "../chapters/07_mesh/scenes/named.h"
 #include "../chapters/17_compare/lab/proof.h"
 #include "aimed.h"
 #include "check.h"
+#include "child.h"
 
 static const contender_settings usual_how = {.n = 0};
 
@@ -115,9 +116,10 @@ static bool broken_aim(broken *b, ray r)
     return hits;
 }
 
+static const ray straight = {{0, -10, 1}, 0, {(real)0.01, 1, (real)0.02}, real_infinity};
+
 static broken *broken_new(const char *name, mesh m)
 {
-    static const ray straight = {{0, -10, 1}, 0, {(real)0.01, 1, (real)0.02}, real_infinity};
     failure f;
     broken *b = allocate(1, sizeof *b);
     b->m = m, b->x = items_of_mesh(&b->m), b->c = *contender_find(name);
@@ -141,7 +143,7 @@ static char *broken_said(const broken *b)
     wrong_answer w;
     FILE *out = open_memstream(&text, &length);
     if (!prove_closed(&b->c, b->s, b->r, b->due, aimed_ways, &w))
-        explain_wrong(&w, &usual_how, &b->x, "brute force", out);
+        explain_wrong(&w, &b->x, "brute force", out);
     fclose(out);
     return text;
 }
@@ -261,15 +263,7 @@ static void test_bsp_forgets(void)
     broken_free(b);
 }
 
-static bool strict_end_hit(const void *s, ray r, hit *out)
-{
-    hit h;
-    if (!bvh_hit(s, r, &h) || h.t >= r.tmax) return false;
-    *out = h;
-    return true;
-}
-
-/* The way lost; the box shrunk to a corner; the number gone; and an end that does not count. */
+/* The way lost; the box shrunk to a corner; the number gone. */
 static void test_bvh_breaks(void)
 {
     broken *b = broken_new("bvh", teapot_mesh(4));
@@ -285,12 +279,8 @@ static void test_bvh_breaks(void)
     for (int k = 0; k < 3; k++)
         for (int i = 2; i < 4; i++) t->node[i].minus_high[k] = -t->node[i].low[k];
     check_said(b, "way", "inside: listed there, but the search does not come there",
-               "nearest box that lists it: x ", "alone: ");
+               "nearest box that lists it: x ", "outside");
     t->node[2] = inner[0], t->node[3] = inner[1];
-    b->c.hit = strict_end_hit;
-    check_said(b, "strict", "a comparison with its end is strict", "the hit is inside\n",
-               "rounding loses");
-    b->c.hit = bvh_contender.hit;
     for (int k = 0; k < 3; k++) leaf->minus_high[k] = -leaf->low[k];
     check_said(b, "box", "outside: it is not listed where it is hit", "[t, t] either", "wider");
     tree->mesh.triangle[at].index = another(b);
@@ -356,19 +346,156 @@ static void test_example_breaks(void)
     broken_free(b);
 }
 
+/* Searches that are wrong. --------------------------------------------------------------------- */
+
+/* Loses what is more than 3 beyond its beginning; of any structure. */
+static const contender *sighted;
+
+static bool short_sighted_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!sighted->hit(s, r, &h) || h.t > r.tmin + 3) return false;
+    *out = h;
+    return true;
+}
+
+static bool short_sighted_occluded(const void *s, ray r)
+{
+    hit h;
+    return short_sighted_hit(s, r, &h);
+}
+
+/* All but brute force and the first versions: what they answer, and that the shape is listed where
+ * it is hit. */
+static void test_lost_way(void)
+{
+    for (int k = 1; k < contenders; k++) {
+        char answer[64];
+        item_cell cell;
+        sighted = contender_list[k];
+        if (contender_is_first(sighted)) continue;
+        broken *b = broken_new(sighted->name, teapot_mesh(4));
+        bool known = contender_cell(&b->c, b->s, b->due.shape, b->p, &cell);
+        for (int any = 0; any < 2; any++) {
+            b->c.hit = any ? sighted->hit : short_sighted_hit;
+            b->c.occluded = any ? short_sighted_occluded : sighted->occluded;
+            snprintf(answer, sizeof answer, "%s: %s", b->c.name, any ? "occluded: no" : "no hit");
+            check_said(b, "far", answer, "found on the interval [t, t] alone", "not listed");
+            check_said(b, "far", " itself", known ? "box that lists it: x " : "", "not listed");
+        }
+        broken_free(b);
+    }
+}
+
+static bool dreaming_hit(const void *s, ray r, hit *out)
+{
+    (void)s, (void)r;
+    *out = (hit){1, 0, 0, 5};
+    return true;
+}
+
+/* A tie that the wrong one wins. */
+static bool later_hit(const void *s, ray r, hit *out)
+{
+    if (!bvh_hit(s, r, out)) return false;
+    out->shape++;
+    return true;
+}
+
+static bool strict_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!bvh_hit(s, r, &h)) return false;
+    *out = h;
+    return h.t < r.tmax;
+}
+
 /* Finds what is at the beginning of the interval. */
 static bool begin_hit(const void *s, ray r, hit *out)
 {
-    return example_hit(s, r, out) && out->t <= r.tmin;
+    return bvh_hit(s, r, out) && out->t <= r.tmin;
 }
 
-/* On the border, and yet found there: so the box is wide enough. */
-static void test_border_found(void)
+/* begin: on the border, and yet found there: so the box is wide enough. */
+static void test_wrong_searches(void)
 {
-    broken *b = broken_new("example", square_at((real)0.25));
-    b->c.hit = begin_hit;
-    check_said(b, "begin", "found on the interval [t, t] alone", "the hit is on its border\n",
-               "rounding");
+    static const ray past = {{9, 9, 9}, 0, {1, 0, 0}, real_infinity};
+    static const struct {
+        const char *what;
+        bool (*hit)(const void *s, ray r, hit *out);
+        bool square, hits;
+        const char *says, *also, *not;
+    } wrong[] = {
+        {"later", later_hit, false, true, "the lower index must win", "shape", "outside"},
+        {"dream", dreaming_hit, false, false, "a hit that does not exist", "no hit", "itself"},
+        {"strict", strict_hit, false, true, "a comparison with its end is strict",
+         "the hit is inside\n", "rounding loses"},
+        {"begin", begin_hit, true, true, "found on the interval [t, t] alone",
+         "the hit is on its border\n", "rounding"}};
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        broken *b = broken_new("bvh", wrong[k].square ? square_at((real)0.25) : teapot_mesh(4));
+        if (!wrong[k].hits) check(!broken_aim(b, past), "%s: a ray that misses", wrong[k].what);
+        b->c.hit = wrong[k].hit;
+        check_said(b, wrong[k].what, wrong[k].says, wrong[k].also, wrong[k].not);
+        broken_free(b);
+    }
+}
+
+/* Searches that see nothing so close to the ends of the interval. */
+static real blind_at[2];
+
+static bool blind_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!bvh_hit(s, r, &h)) return false;
+    *out = h;
+    return h.t >= r.tmin + blind_at[0] && h.t <= r.tmax - blind_at[1];
+}
+
+/* An end that is left out is found out, and the explanation says how much is. */
+static void test_open_ends(void)
+{
+    static const real by = (real)1 / 1024, ends[4][2] = {{0, by}, {by, 0}, {by, by}};
+    static const char reaches[] = "reaches ";
+    broken *b = broken_new("bvh", teapot_mesh(4));
+    for (int k = 0; k < 4; k++) {
+        bool strict = k == 3;
+        double least = (double)(strict ? b->due.t * real_epsilon / 2 : by);
+        memcpy(blind_at, ends[k], sizeof blind_at);
+        b->c.hit = strict ? strict_hit : blind_hit;
+        char *text = broken_said(b);
+        const char *at = strstr(text, reaches);
+        double said = at ? strtod(at + strlen(reaches), NULL) : 0;
+        check(said > 0.9 * least && said < 2.2 * least, "%d: within %g of an end: %s", k, least,
+              text);
+        free(text);
+    }
+    broken_free(b);
+}
+
+/* Loses what is at t = 0, where the last digit of t is nothing. */
+static bool forward_hit(const void *s, ray r, hit *out)
+{
+    return bvh_hit(s, r, out) && out->t > 0;
+}
+
+static void say_in_time(void *b)
+{
+    alarm(60);  /* it once never ended */
+    char *text = broken_said(b);
+    fputs(text, stdout), free(text);
+}
+
+static void test_zero(void)
+{
+    broken *b = broken_new("bvh", teapot_mesh(4));
+    check(broken_aim(b, ray_from(mesh_triangle(&b->m, b->due.shape).a, straight.d))
+          && b->due.t == 0, "a ray that begins at a corner hits there");
+    b->c.hit = forward_hit;
+    child_result said = child_run(say_in_time, b);
+    check(said.status == 0 && strstr(said.out, "bvh: wrong ray: o = ")
+              && strstr(said.out, "[t, t] either"),
+          "a lost t = 0 is explained, in time: %d: %s", said.status, said.out);
     broken_free(b);
 }
 
@@ -385,7 +512,7 @@ static void test_no_cell(void)
 
 int main(void)
 {
-    return check_all("17_cells", test_cells, test_grid_forgets, test_kdtree_forgets,
+    return check_all("17_proof", test_cells, test_grid_forgets, test_kdtree_forgets,
                      test_bsp_forgets, test_bvh_breaks, test_example_bare, test_example_breaks,
-                     test_border_found, test_no_cell);
+                     test_lost_way, test_wrong_searches, test_open_ends, test_zero, test_no_cell);
 }
