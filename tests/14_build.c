@@ -2,7 +2,6 @@
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them.
  * And trees that are kept while the mesh moves (refit.h). */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/07_mesh/scenes/motion.h"
 #include "../chapters/09_aabb/trials/aimed.h"
 #include "../chapters/14_bvh/refit.h"
@@ -43,36 +42,15 @@ static uint64_t code_by_definition(uint32_t x, uint32_t y, uint32_t z)
 
 static void test_codes(void)
 {
-    size_t wrong = 0, order = 0;
+    size_t wrong = 0;
     for (size_t i = 0; i < check_count(100000); i++) {
         uint64_t r = random_bits(1, i, 0, 0);
         uint32_t x = r & 0x1fffff, y = r >> 21 & 0x1fffff, z = r >> 42 & 0x1fffff;
         if (i < 63) x = (uint32_t)(i < 21) << i % 21, y = (uint32_t)(i / 21 == 1) << i % 21,
                     z = (uint32_t)(i > 41) << i % 21;
         wrong += morton_code(x, y, z) != code_by_definition(x, y, z);
-        order += (x >> 20) != morton_code(x, y, z) >> 62;
     }
     check_equal(wrong, 0, "Morton codes, bit by bit");
-    check_equal(order, 0, "the first bit is the half of x");
-    check_equal(morton_code(0x1fffff, 0x1fffff, 0x1fffff), (uint64_t)-1 >> 1, "63 ones");
-}
-
-static void test_reorder(void)
-{
-    for (size_t n = 0; n <= check_count(100000); n = n < 4 ? n + 1 : 5 * n) {
-        radix_code *a = allocate(n, sizeof *a), *b = allocate(n, sizeof *b);
-        bvh_item *item = allocate(n, sizeof *item), *room = allocate(n, sizeof *room);
-        size_t moved = 0;
-        for (size_t i = 0; i < n; i++) {
-            a[i] = (radix_code){random_bits(2, i, n, 0) & 4095, (uint32_t)i};
-            item[i].index = (uint32_t)i;
-        }
-        radix_sort_codes(a, b, n);
-        morton_reorder(item, a, n, room);
-        for (size_t i = 0; i < n; i++) moved += item[i].index != a[i].place;
-        check_equal(moved, 0, "%zu items follow their codes", n);
-        free(a), free(b), free(item), free(room);
-    }
 }
 
 /* The cut by trying all places: before it all codes share one bit more with the first. */
@@ -518,7 +496,7 @@ int main(void)
     test_motion(MOTION_TWIST, 6);
     test_motion(MOTION_SCATTER, 2);
     mesh_free(&near), mesh_free(&far), mesh_free(&pot);
-    return check_all("14_build", test_codes, test_reorder, test_cut, test_topology,
+    return check_all("14_build", test_codes, test_cut, test_topology,
                      test_morton_leaves, test_clip, test_clip_overflow, test_clip_rounding,
                      test_worth, test_one_rotation, test_depth, test_odd, test_spatial);
 }

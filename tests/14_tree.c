@@ -1,6 +1,5 @@
 /* The tree itself: selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/14_bvh/lab/greed_figure.h"
 #include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/soup.h"
@@ -352,22 +351,6 @@ static void test_heuristic(void)
     check_at_most(sah, 0.99 * cost[rule_number("median")], "the bins are better than the median");
 }
 
-/* All trees of a set, one by one: two of its members become one, in every way. */
-static double every_tree(const bvh_box *box, int n)
-{
-    double least = n > 1 ? HUGE_VAL : 0;
-    for (int i = 0; i < n; i++)
-        for (int j = i + 1; j < n; j++) {
-            bvh_box rest[greed_items];
-            int k = 0;
-            for (int c = 0; c < n; c++)
-                if (c != j) rest[k++] = box[c];
-            box_add(&rest[i], &box[j]);
-            least = fmin(least, box_area(&rest[i]) + every_tree(rest, n - 1));
-        }
-    return least;
-}
-
 /* Unit cubes in a row: the best tree has one and three, the greedy one pairs; the root is 50. */
 static void test_four_cubes(void)
 {
@@ -375,7 +358,7 @@ static void test_four_cubes(void)
     bvh_item item[greed_four];
     uint32_t cut[2][greed_sets] = {{0}};
     for (size_t i = 0; i < greed_four; i++) (void)triangle_item(&m, i, &item[i]);
-    check_close(greed_best(item, 4, cut[1]), 82 / 50.0, 1e-6, "four cubes, the best tree");
+    check_close(greed_best(item, cut[1]), 82 / 50.0, 1e-6, "four cubes, the best tree");
     bvh_mesh b = made(&m, by_rule(rule_number("sah"), 1, 0.3));
     check_close(tree_cost_of(&b.tree).nodes, 86 / 50.0, 1e-6, "four cubes, the greedy tree");
     check_equal(greed_cuts(&b, 0, cut[0]), 15, "all four are in it");
@@ -398,29 +381,6 @@ static void test_greed_drawn(void)
     child_slurp(g.out, svg, sizeof svg);
     for (size_t k = 0; k < sizeof says / sizeof *says; k++)
         check(strstr(svg, says[k]) != NULL, "the drawing of greed says %s", says[k]);
-}
-
-/* The best tree against all trees, and no rule below it. */
-static void test_greed(void)
-{
-    for (uint64_t seed = 0; seed < 8; seed++) {
-        mesh m = greed_mesh(seed);
-        bvh_item item[greed_items];
-        bvh_box box[greed_items], all = box_empty();
-        for (size_t i = 0; i < greed_items; i++) (void)triangle_item(&m, i, &item[i]);
-        for (int i = 0; i < 6; i++) box[i] = item[i], box_add(&all, &box[i]);
-        check_close(greed_best(item, 6, NULL), every_tree(box, 6) / box_area(&all), 1e-14,
-                    "the best of the 945 trees of six triangles");
-        double least = greed_best(item, greed_items, NULL);
-        for (int k = 0; k < bvh_rule_count; k++) {
-            if (bvh_rules[k].through) continue;
-            bvh_mesh b = made(&m, by_rule(k, 1, 0.3));
-            check_at_least(tree_cost_of(&b.tree).nodes, least * (1 - 1e-12),
-                           "%s: not better than the best", bvh_rules[k].name);
-            bvh_mesh_free(&b);
-        }
-        mesh_free(&m);
-    }
 }
 
 static void test_shared_area(void)
@@ -495,5 +455,5 @@ int main(void)
     bvh_mesh_free(&none);
     return check_all("14_tree", test_beyond, test_owed, test_select, test_depth, test_resident,
                      test_memory, test_refusals, test_heuristic, test_closed_form, test_reach,
-                     test_greed, test_four_cubes, test_greed_drawn, test_shared_area);
+                     test_four_cubes, test_greed_drawn, test_shared_area);
 }

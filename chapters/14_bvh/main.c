@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
 #include "../07_mesh/files/obj.h"
 #include "lab/greed_figure.h"
 #include "lab/pixel.h"
-#include "lab/runs.h"
+#include "lab/measure.h"
 
 /* For --help: a new line of bvh_rules is in it. */
 static const char *rule_names(void)
@@ -37,7 +37,7 @@ static void measure(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh_trial, &how);
     table_of_rules(o, &s);
-    if (o->full) table_of_orders(o, &s), table_of_greed(o), plot_of_pareto(o, &s);
+    if (o->full) table_of_orders(o, &s), plot_of_pareto(o, &s);
     trial_scene_free(&s);
 }
 

@@ -1,16 +1,23 @@
 /* greed_figure.h: where greed fails, drawn: four cubes in the tree of bvh_build by the rule sah, in
- * the best tree, which greed_best finds, and the sums of (14.6) and (14.7) for both.
+ * the best tree there is, and the sums of (14.6) and (14.7) for both.
  *
  *   draw_greed(&o)          14_bvh_greed.svg
  *   draw_greed_on(&g)       the same on any sheet of greed_wide x greed_high
+ *   greed_best(item, cut)   the least sum of the areas of all inner boxes, over that of the root,
+ *                           of all trees of the four items with one in a leaf         (14.7)
+ *       uint32_t cut[]      out: of each set of two items or more, the part that its best tree
+ *                           cuts off; bit i: item i
  *
- * Cubes 3 and 4 lie in one place. Both trees are given as greed_best gives its own: cut[set].
+ * Cubes 3 and 4 lie in one place. Both trees are given by cut[set]. The best tree of a set is a
+ * best cut of it with the best trees of its two parts, whatever is around it: 2^n sets and 3^n
+ * cuts do (dynamic programming over subsets, 动态规划). Leaves of one item cost the same in every
+ * tree, so nodes are all that differs.
  */
 #ifndef BVH_GREED_FIGURE_H
 #define BVH_GREED_FIGURE_H
 
+#include "../../07_mesh/scenes/soup.h"
 #include "boxes_figure.h"
-#include "greed.h"
 
 enum { greed_wide = 960, greed_high = 496, greed_four = 4, greed_sets = 1 << greed_four,
        greed_all = greed_sets - 1 };
@@ -27,6 +34,44 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* Each a triangle that has a unit cube as its box. */
+static inline mesh greed_cubes(void)
+{
+    static const real at[greed_four] = {0, 6, 11, 11};
+    mesh m = mesh_room(greed_four);
+    for (size_t i = 0; i < greed_four; i++) {
+        m.v[3 * i] = vec(at[i], 0, 0), m.v[3 * i + 1] = vec(at[i] + 1, 1, 0);
+        m.v[3 * i + 2] = vec(at[i], 0, 1);
+    }
+    return m;
+}
+
+static inline bvh_box greed_box(const bvh_item *item, uint32_t set)
+{
+    bvh_box box = box_empty();
+    for (int i = 0; i < greed_four; i++)
+        if (set >> i & 1) box_add(&box, &item[i]);
+    return box;
+}
+
+static inline double greed_best(const bvh_item *item, uint32_t *cut)
+{
+    double best[greed_sets] = {0}, area = 0;
+    for (uint32_t set = 1; set < greed_sets; set++) {
+        const bvh_box box = greed_box(item, set);
+        double least = HUGE_VAL;
+        area = box_area(&box);
+        if (!(set & (set - 1))) continue;  /* one item: a leaf */
+        for (uint32_t left = (set - 1) & set; left > (set & ~left); left = (left - 1) & set) {
+            double sum = best[left] + best[set & ~left];
+            if (sum < least) cut[set] = set & ~left;
+            least = fmin(least, sum);
+        }
+        best[set] = area + least;
+    }
+    return best[greed_all] / area;
+}
+
 /* What bvh_build has cut off node `at`, and below it. Returns the set of its cubes. */
 static inline uint32_t greed_cuts(const bvh_mesh *b, uint32_t at, uint32_t *cut)
 {
@@ -39,24 +84,16 @@ static inline uint32_t greed_cuts(const bvh_mesh *b, uint32_t at, uint32_t *cut)
 
 static inline int greed_count(uint32_t set) { return __builtin_popcount(set); }
 
-static inline bvh_box greed_box(const greed_panel *p, uint32_t set)
-{
-    bvh_box box = box_empty();
-    for (int i = 0; i < greed_four; i++)
-        if (set >> i & 1) box_add(&box, &p->item[i]);
-    return box;
-}
-
 static inline double greed_surface(const greed_panel *p, uint32_t set)
 {
-    bvh_box box = greed_box(p, set);
+    bvh_box box = greed_box(p->item, set);
     return 2 * box_area(&box);
 }
 
 /* Its box among the cubes, a little larger than what is in it. */
 static inline void greed_draw_box(greed_panel *p, uint32_t set, int depth, const char *name)
 {
-    bvh_box box = greed_box(p, set);
+    bvh_box box = greed_box(p->item, set);
     double out = (16 - 5.0 * depth) / 33, x0 = (double)box.low[0] - out;
     double x1 = (double)box_high(&box, 0) + out, y0 = -out, y1 = 1 + out;
     double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
@@ -144,7 +181,7 @@ static inline void draw_greed_on(figure *g)
     if (!bvh_build(&all, bvh_leaves(1, 0.3), &b, &f)) fail(f);
     for (size_t i = 0; i < greed_four; i++) (void)triangle_item(&m, i, &item[i]);
     (void)greed_cuts(&b.mesh, 0, cut[0]);
-    (void)greed_best(item, greed_four, cut[1]);
+    (void)greed_best(item, cut[1]);
     greed_panel greedy = {.g = g, .item = item, .cut = cut[0], .left = 25};
     greed_panel best = {.g = g, .item = item, .cut = cut[1], .left = 505};
     greed_draw_panel(&greedy, NULL, "Greedy: at each node the cheapest cut");
