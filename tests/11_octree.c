@@ -44,14 +44,17 @@ static size_t wrong_of(search *walk, const octree *t, const items *x, const mesh
 
 static void test_naive(void)
 {
-    mesh list[2] = {floors_mesh(4), octahedron_mesh(8)};
-    size_t n = check_count(1000), textbook[3] = {0}, unpadded = 0, ours = 0;
-    for (int i = 0; i < 2; i++) {
+    mesh list[3] = {floors_mesh(4), octahedron_mesh(8), needles(300, 0.1)};
+    size_t n = check_count(1000), textbook[3] = {0}, beyond = 0, unpadded = 0, ours = 0;
+    for (int i = 0; i < 3; i++) {
         items x = items_of_mesh(&list[i]);
         octree t = octree_made(&x, (octree_options){4, 6, true, true, (size_t)1 << 26});
-        textbook[0] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 4, n);
-        textbook[1] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 1, n);
-        textbook[2] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 5, n);
+        if (i == 2) beyond = wrong_of(octree_hit_textbook, &t, &x, &list[i], 3, n);
+        else {
+            textbook[0] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 4, n);
+            textbook[1] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 1, n);
+            textbook[2] += wrong_of(octree_hit_textbook, &t, &x, &list[i], 5, n);
+        }
         for (int kind = 0; kind < aimed_kinds; kind++) {
             unpadded += wrong_of(octree_hit_unpadded, &t, &x, &list[i], kind, n / 4);
             ours += wrong_of(octree_hit, &t, &x, &list[i], kind, n / 4);
@@ -62,29 +65,9 @@ static void test_naive(void)
     check_at_least(textbook[0], n / 2, "textbook: (-inf + inf) / 2: rays along axes are lost");
     check_at_least(textbook[1], n / 50, "textbook: rays at corners");
     check_at_least(textbook[2], n / 50, "textbook: rays from corner to corner");
+    check_at_least(beyond, n / 50, "textbook: a hit beyond the cell ends the search among needles");
     check_at_least(unpadded, n / 100, "no delta: a ray in a wall is put into one of two cells");
     check_equal(ours, 0, "octree_hit, the same rays");
-}
-
-/* A hit that lies beyond the cell is not final. The cube is [0, 8]^3, cut once. The ray comes along
- * +x at y = z = 1; triangle 0 reaches into the first cell and is hit at x = 7, in the second, where
- * triangle 1 is before it, at x = 5, so t = 6. */
-static void test_beyond_the_cell(void)
-{
-    mesh m = mesh_room(3);
-    items x = items_of_mesh(&m);
-    ray r = ray_from((vec3){-1, 1, 1}, (vec3){1, 0x1p-10, 0x1p-9});
-    hit h = hit_none, naive = hit_none;
-    set_triangle(&m, 0, (vec3){0, 3, 0}, (vec3){8, (real)5 / 7, 0}, (vec3){8, (real)5 / 7, 8});
-    set_triangle(&m, 1, (vec3){5, 0, 0}, (vec3){5, 3, 0}, (vec3){5, 0, 3});
-    set_triangle(&m, 2, (vec3){8, 8, 8}, (vec3){8, 8, 7}, (vec3){8, 7, 8});
-    octree t = octree_made(&x, (octree_options){1, 1, true, true, (size_t)1 << 26});
-    check(t.size == 8 && t.stats.depth == 1, "one cut");
-    octree_hit(&t, r, &h), octree_hit_textbook(&t, r, &naive);
-    check(h.shape == 1 && h.t == 6, "the nearer one is found, in the second cell");
-    check(naive.shape == 0 && naive.t > 7, "textbook: ends at a hit beyond the first cell");
-    octree_free(&t);
-    mesh_free(&m);
 }
 
 /* A small mesh and long d: t is below real_smallest and has few digits. Every other ray begins as
@@ -126,21 +109,6 @@ static void test_few_digits(size_t n)
     how = octree_defaults;
     structure_attack(&s, "small, t of few digits", &y, n, 23, few_digits, NULL);
     mesh_free(&m), mesh_free(&torus);
-}
-
-/* 9 planes, one behind the other: the search ends at the first. */
-static void test_ends_at_the_hit(void)
-{
-    mesh m = floors_mesh(8);
-    items x = items_of_mesh(&m);
-    octree t = octree_made(&x, (octree_options){16, 6, true, true, (size_t)1 << 26});
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    check(octree_hit_counted(&t, ray_from(vec(-3, 0.03, 0.07), (vec3){1, 0, 0}), &h,
-                             &w) && h.t == 2, "the first plane");
-    check_at_most(w.leaves, 4, "leaves asked: those at the first plane alone");
-    octree_free(&t);
-    mesh_free(&m);
 }
 
 /* The mailbox saves tests, and no hit (structure_brief); no empty leaf is asked. */
@@ -502,11 +470,12 @@ int main(void)
     how = octree_defaults;
     structure_tests(&s, check_count(600));
     structure_limited(octree, octree_defaults, teapot_mesh(8), 1);
+    structure_ends(octree, octree_defaults, check_count(4000));
     test_passed(check_count(200000));
     test_order(check_count(3000));
     test_few_digits(check_count(3000));
     test_counted(check_count(4000));
     structure_piled(octree, octree_defaults, 400, 1.2 * structure_room(400));
-    return check_all("11_octree", test_options, test_naive, test_beyond_the_cell, test_trees,
-                     test_ends, test_stop, test_ends_at_the_hit);
+    return check_all("11_octree", test_options, test_naive, test_trees, test_ends,
+                     test_stop);
 }

@@ -31,39 +31,22 @@ TRIAL_OTHER(bvh8_leaky, bvh8, bvh8, bvh8_hit_leaky)
 
 enum { rungs = 10 };
 
-/* A small ladder in six columns: the rungs of the page, then, with --full, those between them. */
-static inline void tables_of_page(const options *o, const trial_scene *s, const trial_row *row)
-{
-    static const bool between[rungs] = {[2] = true, [5] = true, [7] = true};
-    trial_scene bare = *s;
-    trial_row of_page[rungs], other[rungs];
-    char title[160];
-    int n = 0, m = 0;
-    bare.brute = 0;  /* that row stands in the first table */
-    for (int i = 0; i < rungs; i++)
-        if (between[i]) other[m++] = row[i];
-        else of_page[n++] = row[i];
-    table t = trial_table(trial_title(s, title), of_page, n, s, false, NULL);
-    output_table(o, &t);
-    if (!o->full) return;
-    t = trial_table("The same rays: rungs between those of the page", other, m, &bare, false, NULL);
-    output_extra_table(o, &t);
-}
-
-/* A dialect that this machine lacks is measured as the best that it has. */
+/* All rungs on a large mesh; on a small one, in six columns, those of the page. A dialect that this
+ * machine lacks is measured as the best that it has. */
 static inline void table_of_rungs(const options *o, const trial_scene *s, bool large)
 {
+    static const bool between[rungs] = {[2] = true, [5] = true, [7] = true};
     bvh_options binary = bvh_defaults;
     bvh8_options four = bvh8_defaults, how[eight_dialects];
     bool first = false;
     char title[160];
-    int best = (int)eight_best();
+    int best = (int)eight_best(), n = 0;
     four.width = 4, four.dialect = EIGHT_PLAIN, four.threads = 1;
     for (int d = 0; d < eight_dialects; d++) {
         how[d] = bvh8_defaults, how[d].threads = 1;  /* as 14 builds: one core */
         how[d].dialect = (eight_dialect)(d < best ? d : best);
     }
-    trial_row row[rungs] = {
+    const trial_row list[rungs] = {
         {.name = "first, four wide", &first_wide_trial, &first},
         {.name = "14: two wide", &two_wide_trial, &binary},
         {.name = "four wide, one by one", &bvh8_one_trial, &four},
@@ -73,12 +56,13 @@ static inline void table_of_rungs(const options *o, const trial_scene *s, bool l
         {.name = "+ eight triangles", &bvh8_trial, &how[0], .again = true},
         {.name = "+ AVX2", &bvh8_trial, &how[1]}, {.name = "+ AVX-512", &bvh8_trial, &how[2]},
         {.name = "leaky", &bvh8_leaky_trial, &how[2]}};
-    trials_run(row, rungs, s, o->quick ? 1 : large ? 15 : 3);
-    if (large) {
-        table t = trial_table(trial_title(s, title), row, rungs, s, true, NULL);
-        output_table(o, &t);
-    } else tables_of_page(o, s, row);
-    trial_end(row, rungs);
+    trial_row row[rungs];
+    for (int i = 0; i < rungs; i++)
+        if (large || !between[i]) row[n++] = list[i];
+    trials_run(row, n, s, o->quick ? 1 : large ? 15 : 3);
+    table t = trial_table(trial_title(s, title), row, n, s, large, NULL);
+    output_table(o, &t);
+    trial_end(row, n);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
