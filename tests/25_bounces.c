@@ -230,29 +230,6 @@ static void test_pair(void)
     lit_free(&s);
 }
 
-/* Eye rays at points within 16 eps of an edge, and one bounce from there. Without (18.9) one in 250
- * gets out. */
-static void test_edges(void)
-{
-    lit_scene s;
-    naive_counts c = {{0}, 0, 0};
-    size_t n = check_count(40000);
-    furnace_box(&s, one, one);
-    naive_path p = {&s, DIRECTIONS_COSINE, 1, false};
-    for (size_t i = 0; i < n; i++) {
-        sampler r = sampler_start(SEQUENCE_RANDOM, 26, 0, (uint32_t)i, 1);
-        point2 a = sampler_pair(&r), b = sampler_pair(&r);
-        real x[3], side = i & 1 ? 1 : -1;
-        x[i % 3] = 2 * a.u - 1, x[(i + 1) % 3] = side;
-        x[(i + 2) % 3] = (i & 2 ? 1 : -1) * (1 - 16 * real_epsilon * a.v);
-        vec3 o = {b.u - (real)0.5, b.v - (real)0.5, 0};
-        (void)naive_radiance(&p, ray_from(o, vsub((vec3){x[0], x[1], x[2]}, o)), &r, &c);
-    }
-    check_equal(c.escaped, 0, "nothing gets out where two walls meet");
-    check_equal(c.rays[1], n, "one bounce each");
-    lit_free(&s);
-}
-
 /* ---- Cornell box ---- */
 
 static ray cornell_ray(uint64_t i)
@@ -556,7 +533,7 @@ static void test_eye_length(void)
 int main(void)
 {
     return check_all("25_bounces", test_furnace_exact, test_endless, test_furnace_uniform,
-                     test_pair, test_edges, test_terms_add_up, test_direct_closed_form,
+                     test_pair, test_terms_add_up, test_direct_closed_form,
                      test_terms_lit, test_notes, test_called_for, test_counts,
                      test_shading_normals, test_eye_length);
 }

@@ -86,35 +86,6 @@ static void test_terms(void)
     }
 }
 
-/* K^k E is K of K^(k-1) E: directions of the first hit, what they bring of the shorter term, with
- * the same numbers. So what test_furnace knows of K E holds of all. Rounding: of N products and
- * their sum. */
-static void test_operator(void)
-{
-    first_scene s = first_cornell();
-    double worst = 0;
-    size_t lit = 0;
-    for (uint64_t i = 0; i < check_count(20000); i++) {
-        int k = 2 + (int)(i % 4), N = 1 + (int)(i / 4 % 2);
-        random_stream random;
-        ray r = eye_ray(i, &random);
-        hit h;
-        random = random_start(6, i, 0);
-        random_stream again = random;
-        vec3 L = first_term(&s, r, k, N, &random), sum = {0, 0, 0};
-        if (!first_scene_hit(&s, r, &h)) continue;
-        first_point x = first_point_at(&s, r, h);
-        for (int j = 0; j < N; j++)
-            sum = vadd(sum, first_term(&s, first_bounce(&s, x, &again), k - 1, N, &again));
-        vec3 due = vscale(vmul(x.kd, sum), 1 / (real)N);
-        lit += !vzero(due);
-        real off = vlength(vsub(L, due)) / real_max(vlength(due), (real)1e-9);
-        worst = check_worse(worst, (double)off);
-    }
-    check_at_most(worst, 8 * (double)real_epsilon, "K^k E against K K^(k-1) E");
-    check_at_least((double)lit, (double)check_count(20000) / 10, "samples with light");
-}
-
 /* ---- the main table ---- */
 
 /* All rows have the mean of the reference, which asks the lamp by its angle: all are unbiased, and
@@ -241,6 +212,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    return check_all("25_first", test_terms, test_operator, test_rows, test_furnace, test_rays,
+    return check_all("25_first", test_terms, test_rows, test_furnace, test_rays,
                      test_sums, test_odd_input);
 }
