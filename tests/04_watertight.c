@@ -1,41 +1,33 @@
 /* Tests of 04_triangle: rays aimed at edges and vertices of closed meshes. The naive forms must
  * slip, triangle_hit must not, not once. */
 #include "check.h"
-#include "../common/parallel.h"
-#include "../chapters/04_triangle/lab/slips.h"
+#include "../chapters/04_triangle/lab/triangle_trials.h"
 #include "../chapters/04_triangle/lab/triangle_variants.h"
 
-/* The translations are as large as the real can take: the mesh must keep its shape on the lattice
- * of the reals around it. */
-enum { places = 4 };
-static const vec3 place[places] = {{0, 0, 0},
-                                   {1000, 0, 0},
-                                   {100000, -30000, 7000},
-                                   {(real)(sizeof(real) == 4 ? 16384 : 1e9),
-                                    (real)(sizeof(real) == 4 ? 9000 : -1e9), 3}};
-
-static void count_at_place(size_t i, void *context)
+/* Rays at edges and vertices of a closed mesh, which is freed: none slips, and t of the aimed point
+ * is 1. */
+static void no_slip(icosphere m, size_t n, uint64_t seed, double bound, const char *what, double of)
 {
-    icosphere m = icosphere_new(4, place[i / 2], 1);
-    triangle_slip_count *n = context;
-    n[i] = slips(&m, triangle_hit, i % 2, check_count(2000000), 40 + i / 2);
+    for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
+        triangle_slip_count c = slips(&m, triangle_hit, at_vertex, check_count(n), seed);
+        check_equal(c.slips, 0, "%s %g: rays aimed at %s", what, of,
+                    at_vertex ? "vertices" : "edges");
+        check_at_most(c.error, bound * (double)real_epsilon, "%s %g: t of what is aimed at", what,
+                      of);
+    }
     icosphere_free(&m);
 }
 
-/* 2e6 rays at edges and 2e6 at vertices, at each place. */
+/* The translations are as large as the real can take: the mesh must keep its shape on the lattice
+ * of the reals around it. The aimed point is off the edge by half an ulp of its coordinates, some
+ * eps |T|; slopes of the facets against the ray, at most some 3, turn that into an error of t. */
 static void test_no_slip_at_any_translation(void)
 {
-    triangle_slip_count n[2 * places];
-    check(parallel_for(2 * places, 0, "rays", count_at_place, n), "all rays were shot");
-    for (int i = 0; i < 2 * places; i++) {
-        double x = (double)place[i / 2].x;
-        check_equal(n[i].slips, 0, "T = (%g, ..): rays aimed at %s", x,
-                    i % 2 ? "vertices" : "edges");
-        /* the aimed point is off the edge by half an ulp of its coordinates, some eps |T|; slopes
-         * of the facets against the ray, at most some 3, turn that into an error of t */
-        check_at_most(n[i].error, 8 * (double)real_epsilon * (1 + fabs(x)),
-                      "t of the aimed point is 1");
-    }
+    const real far = real_is_float ? 16384 : (real)1e9, aside = real_is_float ? 9000 : (real)-1e9;
+    const vec3 place[] = {{0, 0, 0}, {1000, 0, 0}, {100000, -30000, 7000}, {far, aside, 3}};
+    for (uint64_t i = 0; i < 4; i++)
+        no_slip(icosphere_new(4, place[i], 1), 2000000, 40 + i, 8 * (1 + (double)place[i].x),
+                "translated by", (double)place[i].x);
 }
 
 /* The same by the size of the mesh: nothing is compared with a fixed number, and the products of
@@ -45,47 +37,26 @@ static void test_no_slip_at_any_size(void)
     const double sizes[2][6] = {{1e-300, 1e-200, 1e-160, 1e5, 1e160, 1e300},
                                 {1e-35, 1e-25, 1e-18, 1e5, 1e18, 1e35}};
     for (int k = 0; k < 6; k++) {
-        real size = (real)sizes[real_is_float][k];
-        icosphere m = icosphere_new(3, (vec3){0, 0, 0}, size);
-        for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
-            triangle_slip_count n = slips(&m, triangle_hit, at_vertex, check_count(100000), 50);
-            check_equal(n.slips, 0, "size %g: rays aimed at %s", (double)size,
-                        at_vertex ? "vertices" : "edges");
-            check_at_most(n.error, 8 * (double)real_epsilon, "t of the aimed point is 1 at size %g",
-                          (double)size);
-        }
-        icosphere_free(&m);
+        double size = sizes[real_is_float][k];
+        no_slip(icosphere_new(3, (vec3){0, 0, 0}, (real)size), 100000, 50, 8, "size", size);
     }
 }
 
 /* Closed meshes of slivers: corners snapped to a lattice, so that many fall together and many
- * triangles become lines, then moved by up to `ulps` half ulps, so that the lines are slivers
- * 1e-13 wide. The map of the sphere stays in one piece and goes round the origin once: a hit is
- * due. */
-static icosphere sliver_sphere(int ulps, uint64_t seed)
-{
-    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
-    random_stream g = random_start(seed, 0, 0);
-    for (uint32_t i = 0; i < m.vertices; i++) {
-        real p[3] = {m.v[i].x, m.v[i].y, m.v[i].z};
-        for (int k = 0; k < 3; k++)
-            p[k] = floor(4 * p[k] + (real)0.5) / 4
-                   + floor(random_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
-        m.v[i] = (vec3){p[0], p[1], p[2]};
-    }
-    return m;
-}
-
+ * triangles become lines, then moved by up to 1000 half ulps, so that the lines are slivers 1e-13
+ * wide. The map of the sphere stays in one piece and goes round the origin once: a hit is due. */
 static void test_no_slip_between_slivers(void)
 {
     for (uint64_t seed = 0; seed < 4; seed++) {
-        icosphere m = sliver_sphere(1000, seed);
-        for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
-            triangle_slip_count n =
-                slips(&m, triangle_hit, at_vertex, check_count(100000), 60 + seed);
-            check_equal(n.slips, 0, "slivers: rays aimed at %s", at_vertex ? "vertices" : "edges");
-        }
-        icosphere_free(&m);
+        icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
+        random_stream g = random_start(seed, 0, 0);
+        for (uint32_t i = 0; i < m.vertices; i++)
+            for (int k = 0; k < 3; k++) {
+                real snapped = floor(4 * vaxis(m.v[i], k) + (real)0.5) / 4;
+                real ulps = floor(random_between(&g, -1000, 1000));
+                m.v[i] = vwith(m.v[i], k, snapped + ulps * real_epsilon / 2);
+            }
+        no_slip(m, 100000, 60 + seed, 1e4, "slivers", (double)seed);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "../02_oracle.h"
 #include "../../chapters/03_sphere/lab/sphere_measure.h"
 #include "../../chapters/04_triangle/first.h"
-#include "../../chapters/04_triangle/lab/needles.h"
+#include "../../chapters/04_triangle/lab/triangle_trials.h"
 #include "../../chapters/05_implicit/lab/implicit_trials.h"
 #include "../../chapters/06_csg/lab/csg_survey.h"
 #include "../07_trials.h"

@@ -13,7 +13,7 @@
 #define TRIANGLE_LAB_MINE_H
 
 #include "../../01_ray/trials/wrong.h"
-#include "needles.h"
+#include "triangle_trials.h"
 
 #ifdef MINE
 #include MINE
