@@ -28,8 +28,6 @@ typedef struct { int roots; double first; } implicit_truth;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline implicit_poly implicit_poly_number(wide c) { return (implicit_poly){0, {c}}; }
-
 static inline implicit_poly implicit_poly_add(implicit_poly a, implicit_poly b, wide s)  /* a+s b */
 {
     implicit_poly sum = {a.n > b.n ? a.n : b.n, {{0, 0}}};
@@ -70,9 +68,10 @@ static inline void implicit_poly_squares(ray r, double at, implicit_poly q[4])
 
 static inline implicit_poly implicit_poly_sphere(real R, ray r, double at)
 {
-    implicit_poly q[4], RR = implicit_poly_number(wide_product((double)R, (double)R));
+    implicit_poly q[4];
     implicit_poly_squares(r, at, q);
-    return implicit_poly_add(q[3], RR, wide_of(-1));
+    q[3].c[0] = wide_sub(q[3].c[0], wide_product((double)R, (double)R));
+    return q[3];
 }
 
 static inline implicit_poly implicit_poly_torus(implicit_ring k, ray r, double at)
@@ -80,24 +79,22 @@ static inline implicit_poly implicit_poly_torus(implicit_ring k, ray r, double a
     implicit_poly q[4];
     wide RR = wide_product((double)k.R, (double)k.R), rr = wide_product((double)k.r, (double)k.r);
     implicit_poly_squares(r, at, q);
+    q[3].c[0] = wide_add(q[3].c[0], wide_sub(RR, rr));
     implicit_poly flat = implicit_poly_add(q[0], q[1], wide_of(1));
-    implicit_poly number = implicit_poly_number(wide_sub(RR, rr));
-    implicit_poly u = implicit_poly_add(q[3], number, wide_of(1));
-    return implicit_poly_add(implicit_poly_mul(u, u), flat, wide_mul(wide_of(-4), RR));
+    return implicit_poly_add(implicit_poly_mul(q[3], q[3]), flat, wide_mul(wide_of(-4), RR));
 }
 
 /* With the doubles g^2 and 1 + 2 g of surfaces.h. */
 static inline implicit_poly implicit_poly_barth(ray r, double at)
 {
-    const double g = implicit_golden, a = g * g, last = 1 + 2 * g;
-    implicit_poly q[4], factor = implicit_poly_number(wide_of(4));
+    const double g = implicit_golden;
+    implicit_poly q[4], factor = {0, {{-4, 0}}};
     implicit_poly_squares(r, at, q);
-    for (int k = 0; k < 3; k++) {
-        implicit_poly big = implicit_poly_mul(q[k], implicit_poly_number(wide_of(a)));
-        factor = implicit_poly_mul(factor, implicit_poly_add(big, q[(k + 1) % 3], wide_of(-1)));
-    }
-    implicit_poly s = implicit_poly_add(q[3], implicit_poly_number(wide_of(1)), wide_of(-1));
-    return implicit_poly_add(factor, implicit_poly_mul(s, s), wide_of(-last));
+    for (int k = 0; k < 3; k++)
+        factor = implicit_poly_mul(factor, implicit_poly_add(q[(k + 1) % 3], q[k],
+                                                             wide_of(-(g * g))));
+    q[3].c[0] = wide_sub(q[3].c[0], wide_of(1));
+    return implicit_poly_add(factor, implicit_poly_mul(q[3], q[3]), wide_of(-(1 + 2 * g)));
 }
 
 static inline double implicit_poly_size(const implicit_poly *p)
