@@ -52,31 +52,23 @@ static csg_solid random_solid(random_stream *s, bool gems)
     return kind == 5 ? csg_gem(c, r) : csg_sphere(c, r);
 }
 
-/* n random solids, joined by random operations, in a random tree; for random_free. */
-static csg_model random_model(random_stream *s, size_t n, bool gems)
+/* n random solids, joined by random operations, in a random tree; for csg_expression_free. */
+static csg_expression random_tree(random_stream *s, size_t n, bool gems)
 {
-    csg_solid *solid = allocate(n, sizeof *solid);
-    csg_step *step = allocate(2 * n, sizeof *step);
-    size_t steps = 0, waiting = 0, used = 0;
-    while (used < n || waiting > 1) {
-        bool join = waiting > 1 && (used == n || random_next(s) < (real)0.5);
-        if (join) {
-            step[steps++].what = (csg_operation)(1 + (int)(3 * random_next(s)));
+    csg_expression e = {.solid = allocate(n, sizeof *e.solid)};
+    size_t waiting = 0;
+    e.step = allocate(2 * n, sizeof *e.step);
+    while (e.solids < n || waiting > 1) {
+        if (waiting > 1 && (e.solids == n || random_next(s) < (real)0.5)) {
+            e.step[e.steps++].what = (csg_operation)(1 + (int)(3 * random_next(s)));
             waiting--;
             continue;
         }
-        solid[used] = random_solid(s, gems);
-        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)used++};
+        e.step[e.steps++] = (csg_step){CSG_SOLID, (uint32_t)e.solids};
+        e.solid[e.solids++] = random_solid(s, gems);
         waiting++;
     }
-    return (csg_model){solid, n, step, steps};
-}
-
-static void random_free(csg_model m)
-{
-    csg_expression e = {.solid = (csg_solid *)(uintptr_t)m.solid,
-                        .step = (csg_step *)(uintptr_t)m.step, .solids = m.solids};
-    csg_expression_free(&e);
+    return e;
 }
 
 /* A ray that crosses the neighbourhood of the origin; every fourth along an axis. */
@@ -170,10 +162,11 @@ static void test_random_trees(void)
     size_t n = check_count(1600), lines = 60;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(2, i, 0);
-        csg_model m = random_model(&s, 1 + random_below(&s, 12), true);
+        csg_expression e = random_tree(&s, 1 + random_below(&s, 12), true);
+        csg_model m = csg_expression_model(&e);
         csg c = built(m, i % 2);
         for (size_t k = 0; k < lines; k++) judge_line(m, &c, random_line(&s), &y);
-        csg_free(&c), random_free(m);
+        csg_free(&c), csg_expression_free(&e);
     }
     check_equal(y.wrong, 0, "middles of spans and gaps, of %zu, against the parts", y.judged);
     check_equal(y.order, 0, "lists rise, and are even");
@@ -188,7 +181,8 @@ static void test_normals(void)
     double step = real_is_float ? 1e-4 : 1e-7;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(4, i, 0);
-        csg_model m = random_model(&s, 1 + random_below(&s, 8), false);
+        csg_expression e = random_tree(&s, 1 + random_below(&s, 8), false);
+        csg_model m = csg_expression_model(&e);
         csg c = built(m, false);
         for (int k = 0; k < 30; k++) {
             ray r = random_line(&s);
@@ -204,7 +198,7 @@ static void test_normals(void)
             if (fmin(out, in) < step / 4) continue;  /* near an edge, where a step meets another */
             judged++, turned += h.shape % 2, wrong += !is_out || !is_in;
         }
-        csg_free(&c), random_free(m);
+        csg_free(&c), csg_expression_free(&e);
     }
     check_equal(wrong, 0, "normals lead out of the whole, of %zu", judged);
     check_equal(unit, 0, "they have length 1");
@@ -214,7 +208,7 @@ static void test_normals(void)
 
 /* ---- the same set, said in two ways ---- */
 
-/* Whether two expressions with A, B, C for solids 0, 1, 2 and + * - in postfix give the same list
+/* Whether two expressions with A, B, .. for solids 0, 1, .. and + * - in postfix give the same list
  * to the last bit; surfaces also, if `with`. */
 static size_t differ(const csg_solid *solid, ray r, const char *one, const char *other, bool with)
 {
@@ -227,7 +221,10 @@ static size_t differ(const csg_solid *solid, ray r, const char *one, const char 
             step[steps++] = *p >= 'A' ? (csg_step){CSG_SOLID, (uint32_t)(*p - 'A')}
                 : (csg_step){*p == '+' ? CSG_UNION : *p == '*' ? CSG_INTERSECTION
                              : CSG_DIFFERENCE, 0};
-        csg c = built((csg_model){solid, 3, step, steps}, false);
+        size_t solids = 0;
+        for (size_t i = 0; i < steps; i++)
+            if (step[i].what == CSG_SOLID && step[i].solid >= solids) solids = step[i].solid + 1;
+        csg c = built((csg_model){solid, solids, step, steps}, false);
         csg_crossing *list = NULL;
         n[k] = line_spans(&c, r, &list);
         for (size_t i = 0; i < n[k]; i++) x[k][i] = list[i];
@@ -273,63 +270,39 @@ static void random_axes(random_stream *s, bool straight, vec3 n[3])
     for (int k = 0; straight && k < 3; k++) n[k] = vwith(vec(0, 0, 0), k, 1);
 }
 
-/* Two cubes with a common face, and a third that is both: the union is the third; the difference
- * with a part that ends in A's own face leaves what the third cube says; the intersection is
- * nothing. Whatever way the axes stand. */
+/* A and B: cubes with a common face, C: both, D: a part that shares a plane with C, E: a half space
+ * with the plane between, its n four times as long, F: its complement. Whatever way the axes
+ * stand. */
 static void test_coincident_faces(void)
 {
-    size_t wrong[5] = {0}, seen = 0, n = check_count(40000);
+    static const struct { const char *one, *other, *why; bool with; } law[] = {
+        {"AB+", "C", "union of two touching cubes: one cube, no seam", false},
+        {"AB*", "", "their intersection: empty", true},
+        {"AB-", "A", "their difference: the first, with its face", true},
+        {"CB-", "A", "the whole less one half: the other half", false},
+        {"CD-", "B", "less a part that shares a face: no skin is left", false},
+        {"CE*", "A", "a half space and a box, one plane, one t (6.4)", false},
+        {"CF*", "B", "the same from the other side", false},
+        {"EF*", "", "a half space and its complement", true}};
+    enum { laws = sizeof law / sizeof *law };
+    size_t wrong[laws] = {0}, seen = 0, n = check_count(40000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(6, i, 0);
         vec3 axis[3];
         random_axes(&s, i % 3 == 0, axis);
         double a = -0.7, b = (double)random_next(&s) - 0.3, e = 0.8;
-        csg_solid left = csg_scene_block(axis, a, a, a, b, e, e);
-        csg_solid right = csg_scene_block(axis, b, a, a, e, e, e);
-        csg_solid both = csg_scene_block(axis, a, a, a, e, e, e);
-        csg_solid part = csg_scene_block(axis, a, -1, -1, b, 1, 1);  /* shares the plane a */
-        const csg_solid abc[3] = {left, right, both}, acd[3] = {both, part, right};
+        const csg_solid solid[6] = {
+            csg_scene_block(axis, a, a, a, b, e, e), csg_scene_block(axis, b, a, a, e, e, e),
+            csg_scene_block(axis, a, a, a, e, e, e), csg_scene_block(axis, a, -1, -1, b, 1, 1),
+            csg_half(vscale(axis[0], 4), 4 * (real)b), csg_half(vneg(axis[0]), (real)-b)};
         ray r = random_line(&s);
         csg_crossing x[2];
-        seen += csg_solid_crossings(&both, r, 0, x) / 2;
-        wrong[0] += differ(abc, r, "AB+", "C", false);
-        wrong[1] += differ(abc, r, "AB*", "", true);
-        wrong[2] += differ(abc, r, "AB-", "A", true);
-        wrong[3] += differ(abc, r, "CB-", "A", false);
-        wrong[4] += differ(acd, r, "AB-", "C", false);  /* a face of A goes with the part */
+        seen += csg_solid_crossings(&solid[2], r, 0, x) / 2;
+        for (int k = 0; k < laws; k++)
+            wrong[k] += differ(solid, r, law[k].one, law[k].other, law[k].with);
     }
     check_at_least((double)seen, 0.3 * (double)n, "rays meet the cubes");
-    check_equal(wrong[0], 0, "union of two touching cubes: one cube, no seam");
-    check_equal(wrong[1], 0, "their intersection: empty");
-    check_equal(wrong[2], 0, "their difference: the first, with its face");
-    check_equal(wrong[3], 0, "the whole less one half: the other half");
-    check_equal(wrong[4], 0, "less a part that shares a face: no skin is left");
-}
-
-/* The plane of a half space, of its complement, of a box: one t (6.4). */
-static void test_one_plane(void)
-{
-    size_t wrong = 0, n = check_count(100000);
-    for (size_t i = 0; i < n; i++) {
-        random_stream s = random_start(7, i, 0);
-        vec3 axis[3];
-        random_axes(&s, i % 2, axis);
-        real h = 2 * random_next(&s) - 1;
-        csg_solid one = csg_half(axis[0], h), other = csg_half(vneg(axis[0]), -h);
-        csg_solid four = csg_half(vscale(axis[0], 4), 4 * h);
-        csg_solid box = csg_scene_block(axis, (double)h, -9, -9, 9, 9, 9);
-        csg_crossing x[4][2];
-        ray r = random_line(&s);
-        if (vdot(r.d, axis[0]) == 0) continue;
-        bool along = vdot(r.d, axis[0]) > 0;
-        csg_solid_crossings(&one, r, 0, x[0]), csg_solid_crossings(&other, r, 0, x[1]);
-        csg_solid_crossings(&four, r, 0, x[2]);
-        real t = x[0][along].t;
-        wrong += x[1][!along].t != t || x[2][along].t != t;
-        if (csg_solid_crossings(&box, r, 0, x[3]) && x[3][!along].surface == 0)
-            wrong += x[3][!along].t != t;
-    }
-    check_equal(wrong, 0, "one plane, one t, of %zu", n);
+    for (int k = 0; k < laws; k++) check_equal(wrong[k], 0, "%s", law[k].why);
 }
 
 /* A closed box as a mesh, from -1 to 1 along axes of any length, its diagonals this way or that. */
@@ -403,36 +376,6 @@ static void test_mesh_faces(void)
     check_at_least((double)apart, 0.3 * (double)seen, "a mesh by itself finds another t");
     for (int j = 0; j < 8; j++)
         check_equal(wrong[j], 0, "a mesh A of the box B: %s = %s", law[j].one, law[j].other);
-}
-
-/* Lines in a face, but for rounding: the plane's t is noise there. */
-static void test_along_faces(void)
-{
-    size_t off = 0, met = 0, n = check_count(20000);
-    real room = 256 * real_epsilon * 8;  /* what structures allow, of all lengths here: (10.1) */
-    for (size_t i = 0; i < n; i++) {
-        random_stream s = random_start(15, i, 0);
-        vec3 axis[3];
-        random_axes(&s, false, axis);
-        const real lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
-        csg_solid solid[2] = {mesh_box(axis, vec(0, 0, 0), 0), csg_box_turned(axis, lo, hi)};
-        csg c = joined(solid, 2, CSG_SOLID, true);
-        vec3 d = vadd(vscale(axis[1], random_next(&s) - (real)0.5), vscale(axis[2], 1));
-        ray r = ray_from(vmadd(axis[0], d, -3), d);
-        csg_crossing *list = NULL;
-        size_t k = line_spans(&c, r, &list);
-        met += k > 0;
-        for (size_t j = 0; j < k; j++) {
-            vec3 p = ray_at(r, list[j].t);
-            csg_bound b = csg_bound_exact(&solid[0]);
-            for (int q = 0; q < 3; q++)
-                off += !(vaxis(p, q) >= vaxis(b.lo, q) - room)
-                    || !(vaxis(p, q) <= vaxis(b.hi, q) + room);
-        }
-        csg_free(&c), free((void *)(uintptr_t)solid[0].mesh.tri);
-    }
-    check_at_least((double)met, 0.05 * (double)n, "lines along a face are in the mesh, some");
-    check_equal(off, 0, "and don't leave its box, of %zu", met);
 }
 
 /* Half as wide across n[1] and n[2] as the cube of side 2, and flush with its face n[0]: the
@@ -579,8 +522,9 @@ static void test_bounds(void)
     size_t wrong = 0, hits = 0, fewer = 0, more = 0, n = check_count(2000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(9, i, 0);
-        csg_model m = random_model(&s, 1 + random_below(&s, 10), true);
-        csg with = built(m, false), without = built(m, true);
+        csg_expression e = random_tree(&s, 1 + random_below(&s, 10), true);
+        csg with = built(csg_expression_model(&e), false);
+        csg without = built(csg_expression_model(&e), true);
         for (int k = 0; k < 40; k++) {
             ray r = random_line(&s);
             csg_bound b = with.node[random_below(&s, with.nodes)].bound;
@@ -601,7 +545,7 @@ static void test_bounds(void)
             wrong += is != due || h.t != g.t || h.shape != g.shape;
             hits += is;
         }
-        csg_free(&with), csg_free(&without), random_free(m);
+        csg_free(&with), csg_free(&without), csg_expression_free(&e);
     }
     check_equal(wrong, 0, "bounds change no hit");
     check_equal(more, 0, "nor do they ask more solids");
@@ -1083,7 +1027,7 @@ static void test_hostile_texts(void)
 int main(void)
 {
     return check_all("06_csg", test_merge, test_random_trees, test_normals, test_algebra,
-                     test_coincident_faces, test_one_plane, test_mesh_faces, test_along_faces,
+                     test_coincident_faces, test_mesh_faces,
                      test_named_plane, test_shared_triangles, test_mesh_edges, test_mesh_kinds,
                      test_bounds, test_bounds_spare, test_bounds_from_afar, test_bounds_of_planes,
                      test_planes_climbed_to, test_flat_on_faces, test_interval, test_ways,
