@@ -1,6 +1,6 @@
 /* 24_direct_light: light straight from the lights, drawn by directions, by lights, and by both.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light chapters/24_direct_light/main.c -lm -lpthread
- * Without options: a picture, a drawing, the main table. --full: four pictures, four tables, a
+ * Without options: a picture, a drawing, the main table. --full: four pictures, three tables, a
  * plot. Errors are measured against a long run with well-spread points, which a test compares with
  * closed forms. */
 #include "lab/measure.h"

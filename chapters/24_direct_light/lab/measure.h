@@ -1,6 +1,6 @@
 /* measure.h: error against time for every way of drawing.
  *
- *   measure_ways(o)     main table: ways, box and plates; --full: the two heuristics, a plot of all
+ *   measure_ways(o)     main table: ways, box and plates; --full: a plot of all at the plates
  *   measure_points(o)   the lamp as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..: error,
  *                       where all of it is seen and where a part is; beside it k random points.
  *                       Truth: the closed form of 22, or survey.h's reference
@@ -27,12 +27,6 @@ static inline void plot_plates(const direct_survey *s, const options *o)
     output_plot(o, &p, "24_direct_light_plates_time.svg");
 }
 
-static inline table ways_table(const char *title)
-{
-    return table_new(title, "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
-                            "time [us]");
-}
-
 /* s: box, plates; the plates do not have first.h's way. */
 static inline void ways_row(table *t, const direct_survey s[2], int way)
 {
@@ -49,23 +43,20 @@ static inline void ways_row(table *t, const direct_survey s[2], int way)
     }
 }
 
-/* Errors and times of the two heuristics are alike: the main table has one. */
+/* Errors and times of the two heuristics are alike: the table has one, the plot both. */
 static inline void measure_ways(const options *o)
 {
     direct_survey s[2];
+    table t = table_new("Seven ways and the short book's, 64 samples a point",
+                        "way|rays|error in the box [1]|time [us]|error at the plates [1]|"
+                        "time [us]");
     survey_open(&s[0], o, STAGE_FIRST, survey_points, 2048);
     survey_open(&s[1], o, STAGE_PLATES, survey_points, 1024);
     for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
-    table t = ways_table("Seven ways and the short book's, 64 samples a point");
     for (int k = 0; k < survey_ways; k++)
         if (k != DIRECT_BALANCE) ways_row(&t, s, k);
     output_table(o, &t);
-    if (o->full) {
-        t = ways_table("Points by angle and the two heuristics, 64 samples a point");
-        for (int k = DIRECT_ANGLE; k <= DIRECT_POWER; k++) ways_row(&t, s, k);
-        output_extra_table(o, &t);
-        plot_plates(&s[1], o);
-    }
+    if (o->full) plot_plates(&s[1], o);
     survey_close(&s[0]), survey_close(&s[1]);
 }
 
