@@ -134,31 +134,26 @@ static void test_close_to_a_lamp(void)
 
 /* ---- the box ---- */
 
-/* f cos Le / pdf by emitter.h: (24.4) as chapter 24 has it. */
-static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
-{
-    emitter_point y;
-    if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
-    if (lit_occluded_from(s, leave_between(x->s, y.s), no_shape, lit_dark)) return 0;
-    real fcos = brdf_value(x->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
-    return (double)(fcos * s->emitter[0].Le.y / y.pdf);
-}
-
 /* Mean over the picture of what the lamp brings, and of what is seen of it: the measured box of 21
  * leans here and there by some millimetres of 5 m. */
 static double cornell_mean(bool full, size_t n)
 {
     first_scene s = first_cornell();
     lit_scene g;
+    lit_lights l;
+    direct_work work = {0, 0, 0};
     double sum = 0;
-    lit_cornell(&g);
+    lit_cornell(&g), lit_lights_of(&g, NULL, LIGHTS_ALL, &l);
+    direct d = {&g, DIRECT_AREA, &l, &work, false};
     for (size_t i = 0; i < n; i++) {
         sampler q = sampler_start(SEQUENCE_SOBOL, 6, 0, (uint32_t)i, (uint32_t)n);
-        point2 u = sampler_pair(&q), v = sampler_pair(&q);
+        point2 u = sampler_pair(&q);
         if (full) {
             lit_hit x;
-            if (!lit_trace(&g, camera_ray(cornell_camera(1), u.u, u.v, 1, 1), &x)) continue;
-            sum += green(lit_emitted(&x)) + full_by_lamp(&g, &x, v);
+            ray r = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
+            if (!lit_trace(&g, r, &x)) continue;
+            vec3 L = direct_light(&d, &x, vneg(vunit(r.d)), &q);
+            sum += green(vadd(lit_emitted(&x), L));
         } else {
             hit h;
             ray r = first_camera_ray(first_cornell_camera(1, 1), u.u, u.v);
@@ -168,7 +163,7 @@ static double cornell_mean(bool full, size_t n)
             sum += green(vadd(first_emitted(x), first_direct_by_lamp(&s, 0, x, &random)));
         }
     }
-    lit_free(&g);
+    lit_lights_free(&l), lit_free(&g);
     return sum / (double)n;
 }
 
