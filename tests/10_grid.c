@@ -107,64 +107,6 @@ static void test_early_is_wrong(void)
     grid_free(&g), mesh_free(&m);
 }
 
-/* n tiny triangles a hair beside the edges of cells, 1e-7 to 1e-3 of a cell: where a walk that
- * drifts goes wrong. (Beside one wall would not do: the cells on both sides are passed.) Two
- * corners of the unit cube fix the box, and so the walls: built once to see where they are. */
-static mesh specks_mesh(size_t n, uint64_t seed)
-{
-    mesh m = mesh_room(n);
-    m.v[1] = m.v[2] = (vec3){1, 1, 1};
-    items x = items_of_mesh(&m);
-    grid g = grid_made(&x, grid_defaults);
-    for (size_t i = 1; i < n; i++) {
-        random_stream s = random_start(seed, i, 0);
-        vec3 c = {random_next(&s), random_next(&s), random_next(&s)};
-        int free_axis = (int)(random_next_bits(&s) % 3);
-        real beside = pow((real)10, -3 - 4 * random_next(&s));
-        for (int k = 0; k < 3; k++) {
-            int wall = 1 + (int)(random_next_bits(&s) % 1024);
-            real off = random_next_bits(&s) & 1 ? beside : -beside;
-            if (k == free_axis) continue;
-            ((real *)&c)[k] = vaxis(g.cells.lo, k)
-                              + ((real)(wall % g.cells.n[k]) + off) * vaxis(g.cells.size, k);
-        }
-        c = vmax(vmin(c, (vec3){1, 1, 1}), (vec3){0, 0, 0});
-        vec3 e = vscale(g.cells.size, beside / 4);
-        set_triangle(&m, i, c, vadd(c, (vec3){e.x, -e.y, 0}), vadd(c, (vec3){0, e.y, -e.z}));
-    }
-    grid_free(&g);
-    return m;
-}
-
-/* From beyond a corner of the cube, at the middle of a triangle. */
-static ray specks_ray(const mesh *m, uint64_t seed, uint64_t i)
-{
-    random_stream s = random_start(seed, i, 1);
-    triangle t = mesh_triangle(m, 1 + random_next_bits(&s) % (m->triangles - 1));
-    vec3 o = {-random_next(&s), -random_next(&s), -random_next(&s)};
-    vec3 p = vscale(vadd(vadd(t.a, t.b), t.c), 1 / (real)3);
-    return ray_from(o, vsub(p, o));
-}
-
-/* Specks beside edges of cells: found by any walk that drifts by less than the margin. */
-static void test_specks(void)
-{
-    size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_added = 0, hits = 0;
-    mesh m = specks_mesh(n, 1);
-    items x = items_of_mesh(&m);
-    grid g = grid_made(&x, grid_defaults);
-    for (size_t i = 0; i < rays; i++) {
-        ray r = specks_ray(&m, 1, i);
-        hit a = hit_none, b = hit_none, c = hit_none;
-        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = grid_hit_added(&g, r, &c);
-        hits += ga, wrong += !same(ga, a, gb, b), wrong_added += !same(ga, a, gc, c);
-    }
-    check_equal(wrong, 0, "specks: wrong of %zu", rays);
-    check_at_least(hits, rays / (real_is_float ? 3 : 2), "specks are hit");
-    check_equal(wrong_added, 0, "specks: wrong with t added up, of %zu", rays);
-    grid_free(&g), mesh_free(&m);
-}
-
 /* ---- lists, limits, work ---- */
 
 /* Every item is in every cell that it touches, once; and in no cell beyond the margin. */
@@ -484,7 +426,7 @@ int main(void)
     structure_limited(nested, nested_by_bounds, teapot_mesh(4), 1);
     structure_piled(grid, grid_defaults, 10000, structure_room(10000) + 0x1p24);
     return check_all("10_grid", test_drift, test_walk_keeps_its_promise, test_early_is_wrong,
-                     test_specks, test_lists, test_resolution, test_limits, test_bytes,
-                     test_too_many, test_sizes, test_far_rays_are_cheap, test_far_rays_are_right,
+                     test_lists, test_resolution, test_limits, test_bytes, test_too_many,
+                     test_sizes, test_far_rays_are_cheap, test_far_rays_are_right,
                      test_mailbox_and_marking, test_copies, test_panels_stop, test_piles);
 }

@@ -725,23 +725,11 @@ static void test_cost_of_one(void)
 
 int main(void)
 {
-    test_cost_of_one();
-    test_known_hit();
-    test_equals_every_instance_asked();
-    test_sick_rays();
-    test_ties();
-    test_sick_transforms();
     test_nearly_singular(false), test_nearly_singular(true);
-    test_refined();
-    test_beyond_all_numbers();
-    test_scales();
-    test_none();
-    test_sick_mesh();
-    test_boxes();
     test_pad_is_needed(true), test_pad_is_needed(false);
-    test_pad_formula();
-    test_invariants();
-    test_normals();
-    test_normals_anywhere();
-    return check_report("16_instances");
+    return check_all("16_instances", test_cost_of_one, test_known_hit,
+                     test_equals_every_instance_asked, test_sick_rays, test_ties,
+                     test_sick_transforms, test_refined, test_beyond_all_numbers, test_scales,
+                     test_none, test_sick_mesh, test_boxes, test_pad_formula, test_invariants,
+                     test_normals, test_normals_anywhere);
 }

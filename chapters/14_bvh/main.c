@@ -5,27 +5,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * tables and plots. --mesh FILE.obj: that mesh, a picture only. --pixel X,Y: its ray. */
 #include "../07_mesh/files/obj.h"
 #include "lab/greed_figure.h"
-#include "lab/pixel.h"
 #include "lab/measure.h"
-
-/* For --help: a new line of bvh_rules is in it. */
-static const char *rule_names(void)
-{
-    static char names[bvh_rule_count * 24];
-    size_t n = 0;
-    for (int k = 0; k < bvh_rule_count; k++)
-        n += (size_t)snprintf(names + n, 24, "%s%.20s", k ? ", " : "", bvh_rules[k].name);
-    return names;
-}
-
-static bvh_options build_options(const char *strategy, int leaf)
-{
-    bvh_options b = bvh_defaults;
-    if (!bvh_rule_find(strategy))
-        die(2, "--strategy %s: allowed are %s", strategy, rule_names());
-    b.rule = strategy, b.leaf = leaf;
-    return b;
-}
+#include "lab/pixel.h"
 
 /* The book's own scenes. */
 static void measure(const options *o)
@@ -43,17 +24,15 @@ static void measure(const options *o)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL, *strategy = "sah", *pixel = NULL, *up = "y";
-    int leaf = bvh_defaults.leaf;
+    const char *path = NULL, *pixel = NULL, *up = "y";
     const option list[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh"},
         {"up", OPTION_TEXT, &up, 0, 0, "of that mesh: y (default) or z points up"},
-        {"strategy", OPTION_TEXT, &strategy, 0, 0, rule_names()},
         {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words and drawn"},
-        {"leaf", OPTION_INT, &leaf, 1, 255, "most triangles in a leaf"}, {0}};
+        {0}};
     options o = options_read(argc, argv, "14_bvh", "Bounding volume hierarchies of meshes.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
-    bvh_options how = build_options(strategy, leaf);
+    const bvh_options how = bvh_defaults;
     failure f;
     trial_scene s = {.due = NULL};
     if (o.csv && (path || o.out)) die(2, "--csv: no table with --mesh, --out");
