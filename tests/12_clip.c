@@ -1,4 +1,4 @@
-/* Cutting triangles exactly: boxes of parts against an oracle of whole numbers; sorting; the sweep
+/* Cutting triangles exactly: boxes of parts against an oracle of whole numbers; the sweep
  * against trying all planes. */
 #include "../chapters/12_kdtree/split.h"
 #include "../common/random.h"
@@ -219,20 +219,6 @@ static void test_rounding(void)
     check_equal(loose, 0, "and not farther than four floats");
 }
 
-static void test_keys(void)
-{
-    size_t wrong = 0;
-    for (size_t i = 0; i < check_count(20000); i++) {
-        float f = (float)random_real(1, i, 0, 0) - 0.5f;
-        if (i % 4 == 1) f *= 1e-30f;
-        if (i % 4 == 2) f *= 1e30f;
-        if (i % 4 == 3) f = (float)i;
-        wrong += float_of_key(float_key(f)) != f;
-    }
-    check_equal(wrong, 0, "a key has its float back");
-    check(float_key(-0.0f) == float_key(0.0f), "-0 and 0 are one plane");
-}
-
 /* (12.1) by definition: every side of every box, counted anew. */
 static double cost_by_counting(const kd_splitter *s, const kd_item *item, size_t n,
                                const kd_box *cell, int k, float at)
@@ -337,6 +323,6 @@ int main(void)
 {
     test_clip(true);
     test_clip(false);
-    return check_all("12_clip", test_concave, test_rounding, test_keys, test_sweep, test_median,
+    return check_all("12_clip", test_concave, test_rounding, test_sweep, test_median,
                      test_bins);
 }

@@ -319,10 +319,6 @@ static void test_frame(void)
         kdtree u = kdtree_made(&y, kdtree_defaults);
         check_close(u.stats.references, t.stats.references, 0.02 * (double)t.stats.references,
                     "%s: as many references, but for planes that rounding moved", list[i].what);
-        const structure_place place = {list[i].move, list[i].scale, 0};
-        structure s = {"k-d tree", STRUCTURE_OF(kdtree)};
-        options_now = kdtree_defaults;
-        structure_attack(&s, list[i].what, &y, check_count(300), 61, structure_aimed, &place);
         kdtree_free(&u);
         mesh_free(&c);
     }

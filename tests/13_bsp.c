@@ -272,20 +272,6 @@ static void test_limits(void)
         bsp_free(&b);
     }
     mesh_free(&m);
-
-    mesh t = octahedron_mesh(16);  /* all planes have all other triangles behind them */
-    x = items_of_mesh(&t);
-    how = bsp_defaults;
-    how.rule = BSP_FEWEST;
-    bsp b = bsp_made(&x, how);
-    check_equal(b.cuts, 0, "fewest: planes of the faces of a convex mesh cut nothing");
-    bsp_free(&b);
-    how.rule = BSP_COST;
-    b = bsp_made(&x, how);
-    structure_stats s = bsp_stats(&b);
-    check_at_most(s.references, 2 * s.items, "by cost: few are named twice");
-    bsp_free(&b);
-    mesh_free(&t);
 }
 
 /* Copies of one triangle: all lie on their own plane, and none through an edge parts them. Tiles in

@@ -221,61 +221,6 @@ static void test_scale(void)
     mesh_free(&m);
 }
 
-/* Areas of the pieces of a triangle add up to its own, and no piece leaves its plane. */
-static void test_area(void)
-{
-    mesh m = needles(100, 0.3);
-    painter_options how = painter_defaults;
-    how.rule = PAINTER_RANDOM;
-    painter p = made(&m, how);
-    double *area = allocate(m.triangles, sizeof *area), worst = 0, off = 0;
-    for (size_t k = 0; k < p.pieces; k++) {
-        const fragment *x = &p.piece[k];
-        triangle t = mesh_triangle(&m, x->item);
-        real unit = p.w.scale;
-        split_plane s = plane_of_triangle(workshop_place(&p.w, t.a), workshop_place(&p.w, t.b),
-                                          workshop_place(&p.w, t.c));
-        const vec3 *q = p.w.corner + x->corner;
-        for (uint32_t i = 0; i < x->corners; i++) {
-            off = check_worse(off, fabs((double)(unit * side_of(&s, q[i]))));
-            if (i >= 2)
-                area[x->item] += (double)(unit * unit * vlength(vcross(vsub(q[i - 1], q[0]),
-                                                                       vsub(q[i], q[0]))));
-        }
-    }
-    for (size_t i = 0; i < m.triangles; i++) {
-        triangle t = mesh_triangle(&m, i);
-        double whole = (double)vlength(vcross(vsub(t.b, t.a), vsub(t.c, t.a)));
-        worst = check_worse(worst, fabs(area[i] - whole));
-    }
-    check_at_most(off, 64 * (double)real_epsilon * 2, "pieces stay in their plane");
-    check_at_most(worst, 100 * (double)real_epsilon, "areas of pieces add up");
-    free(area);
-    painter_free(&p);
-    mesh_free(&m);
-}
-
-/* 4 x 4 squares in a slanted plane. A corner is off by 2 eps, a side is a quarter of the whole: so
- * the plane of one is within some 4 x 4 eps of the others' corners, and they are all in it. */
-static void test_sheet(void)
-{
-    mesh m = mesh_room(32);
-    for (size_t i = 0; i < 16; i++) {
-        vec3 q[4], axis = vunit((vec3){1, 2, 3});
-        for (size_t k = 0; k < 4; k++) {
-            real u = (real)(i % 4 + (k == 1 || k == 2)) / 2, v = (real)(i / 4 + k / 2) / 2;
-            q[k] = vturned(vec(u - 1, v - 1, 0.3), axis, 0.6);
-        }
-        set_triangle(&m, 2 * i, q[0], q[1], q[2]);
-        set_triangle(&m, 2 * i + 1, q[0], q[2], q[3]);
-    }
-    painter p = made(&m, painter_defaults);
-    check_equal(p.nodes, 1, "neighbours in one plane are in one node");
-    check_equal(p.pieces, 32, "and none is cut");
-    painter_free(&p);
-    mesh_free(&m);
-}
-
 /* Two triangles, one so many epsilon of their size over the other. As far as 22 cuts may take a
  * corner off its plane, 6 + 22 times 2.6 (side.h), it is in it; from 64 on it is not. */
 static void test_nearly_in_a_plane(void)
@@ -351,6 +296,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    return check_all("13_painter", test_order, test_naive, test_pieces, test_scale, test_area,
-                     test_sheet, test_nearly_in_a_plane, test_in_a_plane, test_odd_input);
+    return check_all("13_painter", test_order, test_naive, test_pieces, test_scale,
+                     test_nearly_in_a_plane, test_in_a_plane, test_odd_input);
 }

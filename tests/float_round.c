@@ -83,7 +83,7 @@ static void test_nearest_is_not_enough(void)
 static void check_order(float a, float b, size_t *wrong)
 {
     uint32_t j = float_key(a), k = float_key(b);
-    *wrong += (a < b) != (j < k) || (a > b) != (j > k);
+    *wrong += (a < b) != (j < k) || (a > b) != (j > k) || float_of_key(j) != a;
 }
 
 static void test_keys(void)
