@@ -11,55 +11,6 @@
 
 static const triangle sail = {{1, -1, 0.5}, {1, 1, 0.5}, {0.5, 0, 2}};
 
-/* How the solid angle of the sub-triangle a b c' should share: the sampled point (u, v) gives the
- * triangle a, b, x(u, 1): its solid angle is u Omega, whatever the triangle. Exact, no chance. */
-static void check_shares(triangle t, vec3 p, double bound, const char *what)
-{
-    spherical_triangle k = spherical_triangle_of(t, p);
-    double worst = 0, whole = (double)fabs(triangle_solid_angle(t, p));
-    check(k.omega == (real)whole && whole > 0, "%s: omega is the solid angle", what);
-    for (int i = 0; i <= 32; i++) {
-        real u = (real)i / 32;
-        vec3 b = spherical_triangle_sample(&k, u, 1);  /* v = 1: c' itself */
-        check(b.x >= 0 && b.y >= 0 && b.z >= 0, "%s: barycentrics are not negative", what);
-        check_at_most(fabs((double)(b.x + b.y + b.z) - 1), 4 * eps, "%s: sum of barycentrics",
-                      what);
-        check_at_most(fabs((double)b.y), 16 * eps, "%s: c' lies on the edge a c", what);
-        vec3 end = {0, 0, 0};  /* in coordinates relative to a, for a tiny triangle far from 0 */
-        end = vmadd(vadd(t.a, end), vsub(t.c, t.a), b.z);
-        double part = (double)fabs(triangle_solid_angle((triangle){t.a, t.b, end}, p));
-        worst = check_worse(worst, fabs(part / whole - (double)u));
-    }
-    check_at_most(worst, bound, "%s: solid angle of a b c' is u Omega", what);
-}
-
-static void test_triangle_shares(void)
-{
-    vec3 p = {0, 0, 0};
-    check_shares(sail, p, 16 * eps, "a sail");
-    check_shares((triangle){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, p, 16 * eps, "an octant");
-    check_shares((triangle){{-9, -9, 1}, {9, -9, 1}, {0, 12, 1}}, p, 16 * eps,
-                 "nearly a hemisphere");
-    /* the corners have the size of 1, the triangle of 2^-20 or 2^-9: its corners are exact, `end`
-     * is rounded by eps / size of it */
-    real h = real_is_float ? (real)0x1p-9 : (real)0x1p-20;
-    check_shares((triangle){{1, 0, 0}, {1, h, 0}, {1, 0, h}}, p, 8 * eps / (double)h, "a tiny one");
-    check_shares((triangle){{1, 0, h}, {2, 0, h}, {1, 1, h}}, p, 64 * eps, "a grazing one");
-    /* touching: the edge a c passes p at a distance of about 1, but seen from p at a height of h
-     * only: an epsilon along the view of it is an epsilon / h across */
-    check_shares((triangle){{-1, -1, h}, {2, -1, h}, {-1, 2, h}}, p, 8 * eps / (double)h,
-                 "nearly touching");
-    /* tiny, with p = corner's foot: relative to a, everything is small numbers */
-    real m = real_is_float ? (real)0x1p-36 : (real)0x1p-300;
-    check_shares((triangle){{m, m, m}, {2 * m, m, m}, {m, 3 * m, m}}, p, 16 * eps, "scaled down");
-    spherical_triangle k = spherical_triangle_of((triangle){{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, p);
-    check_equal(k.omega, 0, "in its plane: nothing to see");
-    k = spherical_triangle_of((triangle){{2, -1, 0}, {-1, 2, 0}, {-1, -1, 0}}, p);
-    check_equal(k.omega, 0, "nor from within itself");
-    k = spherical_triangle_of((triangle){{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}, p);
-    check_equal(k.omega, 0, "without area: nothing to see");
-}
-
 static wide3 wide3_unit(wide3 a)
 {
     const wide3 zero = {{0, 0}, {0, 0}, {0, 0}};
@@ -90,6 +41,41 @@ static double uv_off(triangle t, real u, real v)
     double whole = (double)wide_solid_angle((wide_corners){a, b, c});
     double share = wide_value(wide_div(wide3_apart(b, x), wide3_apart(b, end)));
     return fmax(fabs(part / whole - (double)u), fabs(share - (double)v));
+}
+
+/* (u, v) of sampled points, seen from 0, by 30 digits; weights; and omega is the solid angle. A
+ * corner's coordinates are of size 1, so a triangle of the size h knows its points to eps / h; one
+ * that nearly touches 0 sees them from the height h, an epsilon along the view eps / h across. */
+static void test_triangle_shares(void)
+{
+    const real h = real_is_float ? (real)0x1p-9 : (real)0x1p-20;
+    const real m = real_is_float ? (real)0x1p-36 : (real)0x1p-300;
+    const struct { triangle t; double bound; const char *what; } list[] = {
+        {sail, 16, "a sail"}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 16, "an octant"},
+        {{{-9, -9, 1}, {9, -9, 1}, {0, 12, 1}}, 16, "nearly a hemisphere"},
+        {{{1, 0, 0}, {1, h, 0}, {1, 0, h}}, 8 / (double)h, "a tiny one"},
+        {{{1, 0, h}, {2, 0, h}, {1, 1, h}}, 64, "a grazing one"},
+        {{{-1, -1, h}, {2, -1, h}, {-1, 2, h}}, 8 / (double)h, "nearly touching"},
+        {{{m, m, m}, {2 * m, m, m}, {m, 3 * m, m}}, 16, "scaled down"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        const triangle t = list[i].t;
+        const char *what = list[i].what;
+        spherical_triangle k = spherical_triangle_of(t, seen_from);
+        double worst = 0, whole = (double)fabs(triangle_solid_angle(t, seen_from));
+        check(k.omega == (real)whole && whole > 0, "%s: omega is the solid angle", what);
+        for (int j = 0; j <= 32; j++) {
+            real u = (real)j / 32, v = j % 2 ? 1 : (real)0.375;
+            vec3 b = spherical_triangle_sample(&k, u, v);
+            check(b.x >= 0 && b.y >= 0 && b.z >= 0, "%s: barycentrics are not negative", what);
+            check_at_most(fabs((double)(b.x + b.y + b.z) - 1), 4 * eps, "%s: their sum", what);
+            worst = check_worse(worst, uv_off(t, u, v));
+        }
+        check_at_most(worst, list[i].bound * eps, "%s: (u, v)", what);
+    }
+    const triangle nothing[] = {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{2, -1, 0}, {-1, 2, 0},
+                                {-1, -1, 0}}, {{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}};
+    for (int i = 0; i < 3; i++)  /* in its plane, within itself, without area */
+        check_equal(spherical_triangle_of(nothing[i], seen_from).omega, 0, "nothing to see: %d", i);
 }
 
 /* Two corners that p sees as nearly opposite of each other, each two in turn: their sum has the
