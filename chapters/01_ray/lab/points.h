@@ -3,7 +3,7 @@
  *   ray_line l = ray_line_at(seed, i, 10000);       a random line, |o| = 10000, |d| = 1
  *   double e = ray_error(form, &l, t);              |p(t) - exact|, by wide.h
  *   double e = ray_error_rms(l, n, seed, form, t);  of n lines, each at a t between t/2 and t
- *   ray_measure(&o);                                prints the tables, draws the plot
+ *   ray_measure(&o);                                prints the table, draws the plot
  *
  * Exact is the point of the very numbers that a form was given: o and d, or a and b.
  */
@@ -89,7 +89,7 @@ static inline double ray_error_rms(const ray_line *l, int n, uint64_t seed, ray_
 
 /* Each form in a loop of its own, points into an array: nothing but the form differs, and no sum
  * makes one point wait for the one before. */
-typedef struct { const ray_line *l; vec3 *out; vec3_f32 *out_f32; bool unit; } ray_task;
+typedef struct { const ray_line *l; vec3 *out; vec3_f32 *out_f32; } ray_task;
 #define RAY_TIMED(name, array, point)                                                          \
     static double name(void *context)                                                          \
     {                                                                                          \
@@ -109,19 +109,6 @@ RAY_TIMED(ray_run_between, k->out, ray_at_between(l[i].o, l[i].b, t))
 static double (*const ray_run[RAY_FORMS])(void *) = {
     ray_run_f32, ray_run_between_f32, ray_run_first, ray_run_fused, ray_run_between};
 
-static inline double ray_run_direction(void *context)
-{
-    const ray_task *k = context;
-    for (int repeat = 0; repeat < ray_repeats; repeat++)
-        for (int i = 0; i < ray_lines; i++) {
-            ray r = ray_between(k->l[(i + repeat) % ray_lines].o, k->l[i].b);
-            k->out[i] = k->unit ? ray_unit(r).d : r.d;
-        }
-    return (double)k->out[ray_lines - 1].x;
-}
-
-static const double ray_nanoseconds = 1e9 / (ray_repeats * ray_lines);
-
 static inline void ray_main_table(const options *o, ray_task *job)
 {
     bench_candidate v[RAY_FORMS];
@@ -139,37 +126,19 @@ static inline void ray_main_table(const options *o, ray_task *job)
             if (power % 4 == 0) table_number(&t, e);
             plot_add(&p, series, (double)x, e);
         }
-        table_number(&t, v[f].seconds * ray_nanoseconds);
+        table_number(&t, v[f].seconds * 1e9 / (ray_repeats * ray_lines));
     }
     output_table(o, &t);
     plot_slope(&p, 1, "slope 1");
     output_plot(o, &p, "01_ray_error.svg");
 }
 
-static inline void ray_direction_table(const options *o, ray_task *job)
-{
-    ray_task unit = *job;
-    unit.unit = true;
-    bench_candidate v[] = {{.name = "d = b - a", .run = ray_run_direction, .context = job},
-                           {.name = "d of length 1", .run = ray_run_direction, .context = &unit}};
-    bench_time(v, 2, 15);
-    table t = table_new("Making a ray from a to b", "direction|time [ns]|ratio");
-    for (int k = 0; k < 2; k++) {
-        table_text(&t, "%s", v[k].name);
-        table_number(&t, v[k].seconds * ray_nanoseconds);
-        table_number(&t, v[k].seconds / v[0].seconds);
-    }
-    output_extra_table(o, &t);
-}
-
 static inline void ray_measure(const options *o)
 {
     ray_line *l = allocate(ray_lines, sizeof *l);
-    ray_task job = {l, allocate(ray_lines, sizeof(vec3)), allocate(ray_lines, sizeof(vec3_f32)),
-                    false};
+    ray_task job = {l, allocate(ray_lines, sizeof(vec3)), allocate(ray_lines, sizeof(vec3_f32))};
     for (uint64_t i = 0; i < ray_lines; i++) l[i] = ray_line_at(o->seed, i, 10000);
     ray_main_table(o, &job);
-    if (o->full) ray_direction_table(o, &job);
     free(l), free(job.out), free(job.out_f32);
 }
 #endif

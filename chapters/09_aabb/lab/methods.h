@@ -18,7 +18,7 @@ typedef struct {
     aabb b[work_boxes];
     aabb4 b4[work_boxes / 4];
     aabb8 b8[work_boxes / 8];
-    aabb_ball ball[work_boxes];      /* round the same boxes, and boxes of the same sides, turned */
+    sphere ball[work_boxes];         /* round the same boxes, and boxes of the same sides, turned */
     aabb_turned turned[work_boxes];
     ray r[work_rays];
     int order[work_boxes];  /* order[i] % n for i < n, too, is an order of n, if n is 2^k */
@@ -36,9 +36,11 @@ static inline aabb_work *work_new(uint64_t seed)
         w->b[i] = (aabb){vsub(c, e), vadd(c, e)};
         lanes_put(w->b4[i / 4].side[0], 4, i % 4, w->b[i]);
         lanes_put(w->b8[i / 8].side[0], 8, i % 8, w->b[i]);
-        w->ball[i] = (aabb_ball){c, vlength(e)};
-        w->turned[i] = (aabb_turned){.c = c, .half = e, .axis = {vunit(random_in_cube(&s, 1))}};
-        vbasis(w->turned[i].axis[0], &w->turned[i].axis[1], &w->turned[i].axis[2]);
+        w->ball[i] = (sphere){c, vlength(e)};
+        aabb_turned *u = &w->turned[i];
+        u->axis[0] = vunit(random_in_cube(&s, 1));
+        vbasis(u->axis[0], &u->axis[1], &u->axis[2]);
+        c = turned_into(u, c), u->b = (aabb){vsub(c, e), vadd(c, e)};
         w->r[i] = line_through((aabb){{-1, -1, -1}, {1, 1, 1}}, seed, (uint64_t)i);
         w->order[i] = i * 37 % work_boxes;
     }

@@ -32,14 +32,9 @@ static const real room_box[room_boxes][6] = {  /* in quarters; last a screen, a 
 /* The normal of the face that p lies on. */
 static inline vec3 face_normal(aabb b, vec3 p)
 {
-    int best = 0;
-    real least = real_infinity;
-    for (int k = 0; k < 3; k++) {
-        real x = vaxis(p, k);
-        real off = real_min(fabs(x - vaxis(b.lo, k)), fabs(x - vaxis(b.hi, k)));
-        if (off < least) least = off, best = k;
-    }
-    return vwith(vec(0, 0, 0), best, 1);
+    vec3 off = vmin(vabs(vsub(p, b.lo)), vabs(vsub(p, b.hi)));
+    int k = off.x <= off.y && off.x <= off.z ? 0 : off.y <= off.z ? 1 : 2;
+    return vwith(vec(0, 0, 0), k, 1);
 }
 
 static vec3 aabb_room_colour(const void *context, real x, real y)

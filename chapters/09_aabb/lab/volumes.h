@@ -2,11 +2,11 @@
  * (包围球) and the oriented box (有向包围盒, OBB), a box that may be turned; and how often a ray that
  * hits the volume hits nothing in it (误报).
  *
- *   aabb_ball b = ball_round(p, n);        a sphere, its radius within 0.2 % of the smallest
+ *   sphere b = ball_round(p, n);           its radius within 0.2 % of the smallest
  *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: by 3000
  *                                          small turns; a search, not the optimum
- *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: no false negative, t_enter not late
- *   turned_hit(&u, r, &t_enter)
+ *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: no false negative, t_enter not late;
+ *   turned_hit(&u, r, &t_enter)            what passes within 32 epsilon of the distance is a hit
  *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike,
  *                                          through the sphere round the box b
  *   aabb_content c = content_of(k);        shape k [0..2]: needle, ball, teapot, and the volumes
@@ -16,7 +16,6 @@
  *                                          inside [%]; returns how many hit something, and not
  *                                          its volume
  *
- * Both have room for rounding: what passes within 32 epsilon of the distance counts as a hit.
  * Sources: M. Bădoiu, K. Clarkson, "Smaller core-sets for balls", SODA 2003 (the sphere: go 1/i of
  * the way to the farthest point, in step i); S. Gottschalk, M. Lin, D. Manocha, "OBBTree", SIGGRAPH
  * 1996 (turned boxes).
@@ -24,17 +23,17 @@
 #ifndef AABB_VOLUMES_H
 #define AABB_VOLUMES_H
 
+#include "../../03_sphere/first.h"
 #include "../../04_triangle/scenes/icosphere.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../aabb.h"
 
 enum { content_shapes = 3, content_kinds = 3 };
-typedef struct { vec3 c; real r; } aabb_ball;
-typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right angles */
+typedef struct { vec3 axis[3]; aabb b; } aabb_turned;  /* axes: unit, at right angles; b: in them */
 typedef struct {
     triangle *t;
     size_t n;
-    aabb_ball ball;
+    sphere ball;
     aabb box, room;  /* room: round all three; lines are those through the sphere round it */
     aabb_turned turned;
 } aabb_content;
@@ -64,9 +63,9 @@ static inline vec3 farthest_from(vec3 c, const vec3 *p, size_t n)
     return best;
 }
 
-static inline aabb_ball ball_round(const vec3 *p, size_t n)
+static inline sphere ball_round(const vec3 *p, size_t n)
 {
-    aabb_ball b = {p[0], 0};
+    sphere b = {p[0], 0};
     for (int i = 1; i <= 1000; i++)
         b.c = vmadd(b.c, vsub(farthest_from(b.c, p, n), b.c), 1 / (real)(i + 1));
     b.r = vlength(vsub(farthest_from(b.c, p, n), b.c)) * (1 + 4 * real_epsilon);
@@ -74,7 +73,7 @@ static inline aabb_ball ball_round(const vec3 *p, size_t n)
 }
 
 /* l is the way from the ray, where it is nearest, to the centre: a hit if |l| <= R. */
-static inline bool bounding_ball_hit(const aabb_ball *b, real inverse_dd, ray r, real *t_enter)
+static inline bool bounding_ball_hit(const sphere *b, real inverse_dd, ray r, real *t_enter)
 {
     vec3 f = vsub(b->c, r.o);
     real middle = vdot(f, r.d) * inverse_dd, rr = b->r * b->r;
@@ -92,30 +91,24 @@ static inline vec3 turned_into(const aabb_turned *u, vec3 v)
     return (vec3){vdot(u->axis[0], v), vdot(u->axis[1], v), vdot(u->axis[2], v)};
 }
 
-static inline aabb turned_box(const aabb_turned *u) { return (aabb){vneg(u->half), u->half}; }
-
 static inline bool turned_hit(const aabb_turned *u, ray r, real *t_enter)
 {
-    vec3 o = turned_into(u, vsub(r.o, u->c));
-    real room = fabs(o.x) + fabs(o.y) + fabs(o.z) + u->half.x + u->half.y + u->half.z;
-    r.o = o, r.d = turned_into(u, r.d);
-    return aabb_hit(first_aabb_pad(turned_box(u), room * 32 * real_epsilon), r, t_enter);
+    r.o = turned_into(u, r.o), r.d = turned_into(u, r.d);
+    real room = 3 * (vlargest(vabs(r.o)) + aabb_reach(u->b));
+    return aabb_hit(first_aabb_pad(u->b, room * 32 * real_epsilon), r, t_enter);
 }
 
-/* Centre and sides, for the axes that u has. */
-static inline void turned_fit(aabb_turned *u, const vec3 *p, size_t n)
+static inline aabb turned_fit(const aabb_turned *u, const vec3 *p, size_t n)
 {
     aabb b = aabb_empty();
     for (size_t i = 0; i < n; i++) b = aabb_grow_point(b, turned_into(u, p[i]));
-    vec3 c = aabb_centre(b);
-    u->half = vsub(b.hi, c), u->c = (vec3){0, 0, 0};
-    for (int k = 0; k < 3; k++) u->c = vmadd(u->c, u->axis[k], vaxis(c, k));
+    return b;
 }
 
 static inline aabb_turned turned_round(const vec3 *p, size_t n)
 {
     aabb_turned best = {.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    turned_fit(&best, p, n);
+    best.b = turned_fit(&best, p, n);
     for (uint64_t i = 0; i < 3000; i++) {  /* turns of up to 90 degrees, then ever smaller ones */
         random_stream s = random_start(1, i, 7);
         aabb_turned u = best;
@@ -124,9 +117,8 @@ static inline aabb_turned turned_round(const vec3 *p, size_t n)
         u.axis[1] = vmadd(u.axis[1], random_in_cube(&s, 1), step);
         u.axis[2] = vunit(vcross(u.axis[0], u.axis[1]));
         u.axis[1] = vcross(u.axis[2], u.axis[0]);
-        turned_fit(&u, p, n);
-        bool less = aabb_area(turned_box(&u)) < aabb_area(turned_box(&best));
-        if (!vzero(u.axis[2]) && less) best = u;
+        u.b = turned_fit(&u, p, n);
+        if (!vzero(u.axis[2]) && aabb_area(u.b) < aabb_area(best.b)) best = u;
     }
     return best;
 }
@@ -146,9 +138,12 @@ static inline aabb_content content_of(int k)
         c.box = aabb_union(c.box, first_triangle_box(c.t[i]));
     }
     c.ball = ball_round(&c.t->a, 3 * c.n), c.turned = turned_round(&c.t->a, 3 * c.n);
-    const aabb middle = {c.ball.c, c.ball.c}, turned = {c.turned.c, c.turned.c};
-    c.room = aabb_union(c.box, first_aabb_pad(middle, c.ball.r));
-    c.room = aabb_union(c.room, first_aabb_pad(turned, vlength(c.turned.half)));
+    c.room = aabb_union(c.box, first_aabb_pad((aabb){c.ball.c, c.ball.c}, c.ball.r));
+    vec3 middle = {0, 0, 0};  /* of the turned box */
+    for (int a = 0; a < 3; a++)
+        middle = vmadd(middle, c.turned.axis[a], vaxis(aabb_centre(c.turned.b), a));
+    real half = vlength(vsub(c.turned.b.hi, c.turned.b.lo)) / 2;
+    c.room = aabb_union(c.room, first_aabb_pad((aabb){middle, middle}, half));
     icosphere_free(&ball), mesh_free(&pot);
     return c;
 }
