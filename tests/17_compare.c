@@ -637,7 +637,7 @@ static void test_program(void)
          {"out", "a.nff: 4 shapes", "out", "b.obj: 1 shapes", "out", "structure  a.nff  b.obj",
           "r.html", "Who wins", "r.html", "data:image/png;base64,iVBOR"}},
         {0, "--quick --scene tetra --only grid,bvh --report @v.html",
-         {"v.html", "</p>\n<h2>Verdict</h2>\n<p>Of primary rays ", "v.html", " is the fastest; ",
+         {"v.html", "</p>\n<h2>Verdict</h2>\n<p>The least time a ray: tetra ",
           "v.html", "<p class=\"note\">A dash: not built there."}},
         {0, "@v.nff --from 0,-5,1 --at 0,0,0 --quick --only bvh",
          {"out", "v.nff: 1 shapes", "out", "\nbvh "}},
