@@ -707,10 +707,11 @@ static void test_knobs(void)
     world w = tiny("stadium");
     comparison s;
     line_up all = chosen_of("bvh:leaf=1,bvh:leaf=8:cost=2,bvh:rule=median,octree:depth=2,kdtree,"
-                            "wide:width=2,wide,wide:leaf=1");
+                            "wide:width=2,wide,wide:leaf=1,kdtree:rule=middle,kdtree:rule=median,"
+                            "kdtree:rule=sah");
     line_up swept = swept_of("bvh:leaf=1..32"), few = swept_of("kdtree:bonus=0..0.8");
     compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-    check_equal(s.entries, 8, "eight structures, some of them the same");
+    check_equal(s.entries, 11, "structures, some of them the same");
     check_at_least(s.entry[5].stats.inner, s.entry[5].stats.leaves / 2, "wide, of width 2: binary");
     check_at_least(s.entry[7].stats.leaves, s.x.n, "wide: a block a triangle");
     check_at_most((double)s.entry[6].stats.leaves, 0.4 * (double)s.x.n, "wide: blocks of eight");
@@ -718,6 +719,11 @@ static void test_knobs(void)
     check_at_most((double)s.entry[1].stats.leaves, 0.7 * (double)s.x.n, "leaves of up to eight");
     check(s.entry[2].stats.leaves != s.entry[1].stats.leaves, "another rule, another tree");
     check_at_most(s.entry[3].stats.depth, 2, "an octree of depth 2");
+    size_t middle = s.entry[8].stats.leaves, median = s.entry[9].stats.leaves;
+    size_t sah = s.entry[10].stats.leaves;
+    check(middle != median && median != sah && middle != sah,
+          "three rules, three trees: leaves %zu, %zu, %zu", middle, median, sah);
+    check_equal(s.entry[4].stats.leaves, sah, "the usual one is that by the heuristic");
     check(strcmp(all.of[1].label, "bvh:leaf=8:cost=2") == 0, "its name: %s", all.of[1].label);
     check_equal(swept.n, choose_usual().n + 6, "1, 2, 4 .. 32");
     check_equal(few.n, choose_usual().n + 9, "eight steps");
@@ -733,9 +739,6 @@ static void test_rule_names(void)
         {"kdtree:rule=sah", KD_SAH}, {"bsp:rule=random", BSP_RANDOM},
         {"bsp:rule=fewest", BSP_FEWEST}, {"bsp:rule=axis", BSP_AXIS}, {"bsp:rule=own", BSP_OWN},
         {"bsp:rule=cost", BSP_COST}, {"bvh:rule=cycle", 0}, {"bvh:rule=spatial", 7}};
-    world w = tiny("stadium");
-    comparison s;
-    line_up trees = chosen_of("kdtree:rule=middle,kdtree:rule=median,kdtree,kdtree:rule=sah");
     for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
         char number[32];
         const char *label = named[i].label, *end = strchr(label, '=');
@@ -746,13 +749,6 @@ static void test_rule_names(void)
         check_text(by_number.of[0].label, label, "%s", number);
         if (set->type == KNOB_NAME) check_text(set->name, end + 1, "%s", number);
     }
-    compare_begin(&s, &w, &trees, (size_t)1 << 30, 1);
-    size_t leaves[4];
-    for (int k = 0; k < 4; k++) leaves[k] = s.entry[k].stats.leaves;
-    check(leaves[0] != leaves[1] && leaves[1] != leaves[3] && leaves[0] != leaves[3],
-          "three rules, three trees: leaves %zu, %zu, %zu", leaves[0], leaves[1], leaves[3]);
-    check_equal(leaves[2], leaves[3], "of triangles the usual one is that by the heuristic");
-    compare_end(&s), world_free(&w);
 }
 
 /* One that another beats at both is not on the front. */
