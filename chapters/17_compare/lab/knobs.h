@@ -124,17 +124,6 @@ static inline const knob *knob_find(const contender *c, const char *name)
     return NULL;
 }
 
-static inline double knob_number(const knob *k, const char *text)
-{
-    char *end;
-    double x = strtod(text, &end);
-    bool any = k->kind == KNOB_DOUBLE;
-    if (end == text || *end || !(x >= k->lowest && x <= k->highest) || !(any || x == floor(x)))
-        die(2, "%s=%.20s: allowed are %s from %g to %g", k->name, text,
-            any ? "numbers" : "whole numbers", k->lowest, k->highest);
-    return x;
-}
-
 /* Of value i; NULL: it has none. */
 static inline const char *knob_value_name(const knob *k, int i)
 {
@@ -143,29 +132,30 @@ static inline const char *knob_value_name(const knob *k, int i)
     return strcmp(k->type, "bsp") == 0 ? bsp_rule_names[i] : kdtree_rule_names[i];
 }
 
-/* The value of that name, or with that number: a sweep counts. */
-static inline int knob_named(const knob *k, const char *text)
+/* text: a number, or the name of one. */
+static inline double knob_value(const knob *k, const char *text)
 {
-    char all[512] = "", number[16];
+    char names[512] = "", *end;
+    bool any = k->kind == KNOB_DOUBLE;
     for (int i = 0; knob_value_name(k, i); i++) {
-        snprintf(number, sizeof number, "%d", i);
-        if (!strcmp(text, knob_value_name(k, i)) || !strcmp(text, number)) return i;
-        text_add(all, sizeof all, " %s", knob_value_name(k, i));
+        if (!strcmp(text, knob_value_name(k, i))) return i;
+        text_add(names, sizeof names, " %s", knob_value_name(k, i));
     }
-    die(2, "%s=%.20s: allowed are%s", k->name, text, all);
+    double x = strtod(text, &end);
+    if (end != text && !*end && x >= k->lowest && x <= k->highest && (any || x == floor(x)))
+        return x;
+    if (*names) die(2, "%s=%.20s: allowed are%s", k->name, text, names);
+    die(2, "%s=%.20s: allowed are %s from %g to %g", k->name, text,
+        any ? "numbers" : "whole numbers", k->lowest, k->highest);
 }
 
-/* value: a number, or the name of a rule. */
 static inline void choice_set(compare_choice *p, const knob *k, const char *value)
 {
-    contender_setting s = {k->offset, k->kind, 0, NULL};
-    if (knob_value_name(k, 0)) {
-        s.value = knob_named(k, value);
-        s.name = value = knob_value_name(k, (int)s.value);
-    } else s.value = knob_number(k, value);
+    double x = knob_value(k, value);
+    const char *name = knob_value_name(k, (int)x);
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
-    p->how.set[p->how.n++] = s;
-    text_add(p->label, sizeof p->label, ":%s=%s", k->name, value);
+    p->how.set[p->how.n++] = (contender_setting){k->offset, k->kind, x, name};
+    text_add(p->label, sizeof p->label, ":%s=%s", k->name, name ? name : value);
 }
 
 /* "bvh:leaf=8", which is cut into its words. */

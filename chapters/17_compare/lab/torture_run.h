@@ -13,7 +13,7 @@
 #include "../../07_mesh/files/obj_write.h"
 #include "../../07_mesh/files/ray_file.h"
 #include "../../09_aabb/trials/torture.h"
-#include "compare.h"
+#include "costs.h"
 
 typedef struct { size_t wrong; double error; } torture_score;
 
@@ -86,13 +86,6 @@ static inline size_t torture_add(torture_score *s, const torture *t, hit *h)
     return wrong;
 }
 
-/* "-": none of them takes part. */
-static inline void torture_cell(table *out, bool asked, size_t wrong)
-{
-    if (asked) table_count(out, wrong);
-    else table_text(out, "-");
-}
-
 /* Asks all who take part about a class. A row: structures together; the worst first version. */
 static inline void torture_row(const compare_settings *c, const char *folder, const char *who,
                                int k, torture_score *score, table *out)
@@ -111,8 +104,8 @@ static inline void torture_row(const compare_settings *c, const char *folder, co
         firsts += contender_is_first(one->c);
     }
     table_text(out, "%s", torture_list[k].name), table_text(out, "%s", torture_list[k].what);
-    torture_cell(out, who || firsts < c->chosen.n, wrong);
-    if (!who) torture_cell(out, firsts > 0, first);
+    cost_cell(out, who || firsts < c->chosen.n, (double)wrong);
+    if (!who) cost_cell(out, firsts > 0, (double)first);
     torture_free(&t);
 }
 
