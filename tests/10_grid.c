@@ -371,10 +371,8 @@ static void test_panels_stop(void)
 static void test_copies(void)
 {
     enum { copies = 2500 };
-    mesh m = mesh_room(copies);
+    mesh m = structure_copies(copies, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0}, 1);
     hit h = hit_none;
-    for (size_t i = 0; i < copies; i++)
-        set_triangle(&m, i, vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0));
     items all = items_of_mesh(&m);
     nested x = nested_made(&all, nested_defaults);
     double outer = 0.7 * (double)nested_stats(&x).inner * copies;  /* half, and the slant */
@@ -389,12 +387,10 @@ static void test_copies(void)
  * all cells it would expect too much, as such a triangle is in half of them: one would be left. */
 static void test_pile(size_t n)
 {
-    const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    mesh m = mesh_room(n);
+    mesh m = structure_copies(n, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0}, 1);
     grid g;
     hit h = {0};
     failure f = {0, ""};
-    for (size_t i = 0; i < n; i++) set_triangle(&m, i, corner[0], corner[1], corner[2]);
     items x = items_of_mesh(&m);
     check(grid_build(&x, grid_defaults, &g, &f), "a pile: %s", f.text);
     double each = (double)grid_stats(&g).references / (double)n;

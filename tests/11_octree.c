@@ -258,9 +258,8 @@ static structure_stats stats_of(mesh *m, octree_options with)
 static void test_stop(void)
 {
     const octree_options with = {4, 20, true, true, (size_t)1 << 26};
-    mesh same_place = mesh_room(1000);
-    for (size_t i = 0; i < 1000; i++)  /* half of a side of the cube, and all of its diagonal */
-        set_triangle(&same_place, i, (vec3){0, 0, 0}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
+    /* Half of a side of the cube, and all of its diagonal. */
+    mesh same_place = structure_copies(1000, (vec3){0, 0, 0}, (vec3){1, 0, 1}, (vec3){0, 1, 1}, 1);
     structure_stats s = stats_of(&same_place, with);
     check_at_most(s.references, 64 * 1000, "one place: two cuts in vain, each into eight, at most");
     mesh_free(&same_place);

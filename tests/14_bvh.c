@@ -97,10 +97,8 @@ static void test_hard_meshes(void)
  * number. A triangle fills half of its box, so "spatial" cuts: 8 references are 3 levels more. */
 static void test_coincident(size_t n, bool all)
 {
-    mesh m = mesh_room(n);
+    mesh m = structure_copies(n, (vec3){0, 0, 2}, (vec3){1, 0, 2}, (vec3){0, 1, 2}, 1);
     ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
-    for (size_t i = 0; i < n; i++)
-        set_triangle(&m, i, (vec3){0, 0, 2}, (vec3){1, 0, 2}, (vec3){0, 1, 2});
     for (int s = 0; s < bvh_rule_count; s++) {
         bvh_mesh b;
         hit h = hit_none;
@@ -144,24 +142,19 @@ static void test_sick(void)
     bvh_free(&none);
 }
 
-/* Plates one behind another, a ray through all of them from either end: whoever looks at the nearer
- * box first, and ends the ray at each hit, asks the triangles of one leaf and no others. */
+/* The nearer child first, and a ray that ends at each hit: structure_plates. */
 static void test_one_leaf(void)
 {
     enum { plates = 500 };
-    mesh m = mesh_room(plates);
-    for (int i = 0; i < plates; i++) {
-        real z = (real)i;
-        set_triangle(&m, (size_t)i, vec(-0.3, -0.3, z), vec(0.3, -0.3, z), vec(0, 0.3, z));
-    }
+    mesh m = structure_plates(plates);
     for (int s = 0; s < bvh_rule_count; s++) {
         bvh_mesh b;
         check(bvh_mesh_build(&m, by_rule(s, 4, 1), &b, NULL), "built");
         for (int end = 0; end < 2; end++) {
             search_work w = {0, 0, 0, 0};
             hit h = hit_none;
-            ray r = {vec(0.01, 0.02, end ? plates : -1), 0, {0, 0, end ? -1 : 1}, real_infinity};
-            check(bvh_mesh_hit_counted(&b, r, &h, &w) && fabs(h.t - 1) < (real)0.5, "a hit");
+            check(bvh_mesh_hit_counted(&b, structure_through(plates, end), &h, &w)
+                      && fabs(h.t - 1) < (real)0.5, "a hit");
             check_equal(w.leaves, 1, "leaves asked, of %d plates, %s, end %d", plates,
                         bvh_rules[s].name, end);
         }

@@ -82,18 +82,6 @@ static inline mesh first_knot_mesh(int around, int sides)
     return m;
 }
 
-/* n triangles anywhere in a cube of side 2, `size` large. */
-static inline mesh first_soup(size_t n, real size)
-{
-    mesh m = mesh_room(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(3, i, 0);
-        vec3 a = random_in_cube(&g, 1), b = vadd(a, random_in_cube(&g, size));
-        set_triangle(&m, i, a, b, vadd(a, random_in_cube(&g, size)));
-    }
-    return m;
-}
-
 /* An n x n chessboard in the plane z = 0.3. */
 static inline mesh first_board(int n)
 {
@@ -174,7 +162,7 @@ static inline void first_structure_meshes(const first_structure *s, const struct
     first_structure_mesh(s, full, "knot, moved", first_knot_mesh(60, 10), off, 1);
     first_structure_mesh(s, full, "knot, tiny", first_knot_mesh(30, 6), home, 1e-6);
     first_structure_mesh(s, full, "knot, huge", first_knot_mesh(30, 6), home, 1e6);
-    first_structure_mesh(s, full, "soup", first_soup(1000, 0.2), home, 1);
+    first_structure_mesh(s, full, "soup", soup_mesh(1000, 1, 0.2, 3), home, 1);
     first_structure_mesh(s, full, "board", first_board(20), home, 1);
     first_structure_mesh(s, full, "box", floors_mesh(1), home, 1);
     first_structure_mesh(s, full, "corners on walls", floors_mesh(4), home, 1);
@@ -204,61 +192,30 @@ static inline void first_structure_bounds(const first_structure *s, const char *
     first_mesh_free(&f), mesh_free(&m);
 }
 
-/* n times the triangle a b c; each a little larger than the one before, by the factor of grow. */
-static inline mesh first_copies(size_t n, vec3 a, vec3 b, vec3 c, double grow)
-{
-    mesh m = mesh_room(n);
-    for (size_t i = 0; i < n; i++) {
-        real x = (real)exp(log(grow) * (double)i);
-        set_triangle(&m, i, vscale(a, x), vscale(b, x), vscale(c, x));
-    }
-    return m;
-}
-
 static inline void first_structure_hard(const first_structure *s)
 {
     const vec3 home = {0, 0, 0}, far = {1e4, 1e4, 1e4};
     size_t n = check_count(10000);
-    first_structure_bounds(s, "long triangles", first_soup(n, 1), home);
-    first_structure_bounds(s, "longer ones", first_soup(n, 2), home);
-    first_structure_bounds(s, "middling ones", first_soup(n, 0.3), home);
+    first_structure_bounds(s, "long triangles", soup_mesh(n, 1, 1, 3), home);
+    first_structure_bounds(s, "longer ones", soup_mesh(n, 1, 2, 3), home);
+    first_structure_bounds(s, "middling ones", soup_mesh(n, 1, 0.3, 3), home);
     first_structure_bounds(s, "long needles", needles(n, 1e-3), home);
-    first_structure_bounds(s, "far from the origin", first_soup(n, 0.1), far);
-    first_structure_bounds(s, "one needle, often", first_copies(n, (vec3){-1, 0, 0},
+    first_structure_bounds(s, "far from the origin", soup_mesh(n, 1, 0.1, 3), far);
+    first_structure_bounds(s, "one needle, often", structure_copies(n, (vec3){-1, 0, 0},
                            (vec3){1, 0, 0}, vec(1, 1e-4, 1e-4), 1), home);
-    first_structure_bounds(s, "one across, often", first_copies(n, (vec3){-1, -1, -1},
+    first_structure_bounds(s, "one across, often", structure_copies(n, (vec3){-1, -1, -1},
                            (vec3){1, 1, 1}, vec(1, 1, 0.9), 1), home);
-    first_structure_bounds(s, "2^-60 to 1", first_copies(n, (vec3){-1, 0, 0}, (vec3){-1, 1, 0},
+    first_structure_bounds(s, "2^-60 to 1", structure_copies(n, (vec3){-1, 0, 0}, (vec3){-1, 1, 0},
                            (vec3){-1, 0, 1}, exp(-60 * log(2) / (double)n)), home);
     first_structure_bounds(s, "nothing", mesh_room(0), home);
 }
 
-/* As structure_sick, and -infinity, but no triangle reaches to infinity: then the hair does. */
+/* Sick triangles and rays. Where one reaches to infinity any answer will do, but one it must be. */
 static inline void first_structure_sick(const first_structure *s)
 {
-    real nan = (real)NAN, inf = real_infinity;
-    mesh m = needles(2000, 0.1);
-    for (size_t i = 0; i < m.triangles; i += 5) {
-        vec3 *v = m.v + 3 * i;
-        switch (i / 5 % 4) {
-        case 0: v[i % 3].x = nan; break;
-        case 1: v[0] = v[1] = v[2] = (vec3){nan, nan, nan}; break;
-        case 2: v[1] = v[2] = v[0]; break;
-        default: v[2] = v[1]; break;
-        }
-    }
-    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
-                  ray_from((vec3){0, 0, 0}, (vec3){0, 0, 0}),
-                  ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){inf, inf, inf}),
-                  {{0, 0, -9}, nan, {0, 0, 1}, 99},
-                  {{0, 0, -9}, 0, {0, 0, 1}, nan},
-                  {{0, 0, -9}, 5, {0, 0, 1}, 4}};
     for (int ends = 0; ends < 2; ends++) {
         first_verdict v = {0, 0, 0, 0, 0};
-        if (ends) m.v[3].y = inf, m.v[7].z = -inf;  /* now any answer will do, but one it must be */
+        mesh m = structure_sick_mesh(2000, ends);
         first_mesh f = first_mesh_of(&m);
         void *built = s->build(&f);
         for (size_t i = 0; i < check_count(1000); i++) {
@@ -266,13 +223,11 @@ static inline void first_structure_sick(const first_structure *s)
             vec3 o = random_in_cube(&g, 3);
             first_compare(s, built, &f, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
         }
-        for (size_t i = 0; i < sizeof sick / sizeof *sick; i++)
-            first_compare(s, built, &f, sick[i], &v);
+        for (size_t i = 0; i < sick_count; i++) first_compare(s, built, &f, sick_ray[i], &v);
         check(ends || v.wrong == 0, "%s: sick triangles and rays: %zu wrong", s->name, v.wrong);
         s->destroy(built);
-        first_mesh_free(&f);
+        first_mesh_free(&f), mesh_free(&m);
     }
-    mesh_free(&m);
 }
 
 static inline void first_structure_few(const first_structure *s)

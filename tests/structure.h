@@ -206,6 +206,34 @@ static inline void structure_none(const structure *s)
     mesh_free(&m);
 }
 
+/* n times the triangle a b c; each a little larger than the one before, by the factor of grow. */
+static inline mesh structure_copies(size_t n, vec3 a, vec3 b, vec3 c, double grow)
+{
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        real x = (real)exp(log(grow) * (double)i);
+        set_triangle(&m, i, vscale(a, x), vscale(b, x), vscale(c, x));
+    }
+    return m;
+}
+
+/* n plates one behind another along z, and a ray through all of them from either end: whoever looks
+ * at the nearer part first, and ends the ray at each hit, asks those of one leaf and no others. */
+static inline mesh structure_plates(size_t n)
+{
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        real z = (real)i;
+        set_triangle(&m, i, vec(-0.3, -0.3, z), vec(0.3, -0.3, z), vec(0, 0.3, z));
+    }
+    return m;
+}
+
+static inline ray structure_through(size_t n, bool from_end)
+{
+    return ray_from(vec(0.01, 0.02, from_end ? (double)n : -1), (vec3){0, 0, from_end ? -1 : 1});
+}
+
 /* n triangles on one place: the lowest index wins; every third one a copy in front. */
 static inline void structure_ties(const structure *s, size_t n)
 {
@@ -227,23 +255,28 @@ static inline void structure_ties(const structure *s, size_t n)
     mesh_free(&m);
 }
 
-/* One triangle of eight is NaN, infinite, a point or a line. */
-static inline void structure_sick(const structure *s, size_t rays)
+/* Needles, of which one of eight is NaN, a point, a line, or (ends) infinite. */
+static inline mesh structure_sick_mesh(size_t n, bool ends)
 {
-    size_t n = 600;
     mesh m = needles(n, 0.1);
     real nan = (real)NAN, inf = real_infinity;
     for (size_t i = 0; i < n; i += 8) {
         vec3 *v = m.v + 3 * i;
-        switch (i / 8 % 6) {
-        case 0: v[0].x = nan; break;
-        case 1: v[1].y = inf; break;
-        case 2: v[2].z = -inf; break;
-        case 3: v[1] = v[2] = v[0]; break;
-        case 4: v[2] = v[1]; break;
-        default: v[0] = v[1] = v[2] = (vec3){nan, nan, nan}; break;
+        switch (i / 8 % (ends ? 6 : 4)) {
+        case 0: v[i / 32 % 3].x = nan; break;
+        case 1: v[1] = v[2] = v[0]; break;
+        case 2: v[2] = v[1]; break;
+        case 3: v[0] = v[1] = v[2] = (vec3){nan, nan, nan}; break;
+        case 4: v[1].y = inf; break;
+        default: v[2].z = -inf; break;
         }
     }
+    return m;
+}
+
+static inline void structure_sick(const structure *s, size_t rays)
+{
+    mesh m = structure_sick_mesh(600, true);
     items x = items_of_mesh(&m);
     structure_attack(s, "sick triangles", &x, rays, 5, structure_any_ray, &x);
     mesh_free(&m);
