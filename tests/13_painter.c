@@ -1,7 +1,7 @@
 /* The painter's order: along every ray, the piece drawn last is the one that brute force hits
  * first, from eyes all around and inside; how often planes cut; and sorting by distance, which
  * must fail. */
-#include "../chapters/13_bsp/lab/painter_naive.h"
+#include "../chapters/13_bsp/lab/naive.h"
 #include "../chapters/13_bsp/lab/puzzles.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"

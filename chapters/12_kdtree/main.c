@@ -5,7 +5,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/
  * short table. --full: all tables and plots. --mesh FILE.obj: the first picture of that mesh. */
 #include "../07_mesh/files/obj.h"
 #include "lab/figure.h"
-#include "lab/growth.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
@@ -27,7 +26,7 @@ static void measure(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &kdtree_trial, &kdtree_defaults);
     table_of_strategies(o, &s);
-    if (o->full) table_of_planes(o), kdtree_grow(o);
+    if (o->full) table_of_planes(o), table_of_growth(o);
     trial_scene_free(&s);
 }
 

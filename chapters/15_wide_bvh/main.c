@@ -5,9 +5,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapter
  * --mesh FILE.obj: that mesh, a picture only. */
 #include "../07_mesh/files/obj.h"
 #include "../09_aabb/trials/pictures.h"
-#include "lab/figure.h"
 #include "lab/measure.h"
-#include "lab/steps.h"
+#include "lab/pictures.h"
 #include "lab/stream.h"
 
 static void measure(const options *o, bool large)

@@ -10,7 +10,7 @@
 
 #include "../../../common/lab/figure.h"
 #include "../../02_camera/camera.h"
-#include "painter_naive.h"
+#include "naive.h"
 #include "puzzles.h"
 
 enum { painting_most = 16, painting_corners = 8 };

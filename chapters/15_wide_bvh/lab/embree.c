@@ -28,24 +28,16 @@ typedef struct { const trees *of; search *ask; const ray *r; bool any; size_t hi
 typedef struct { float t; uint32_t shape; } answer;
 static answer answers[rays_a_kind];  /* both write them down */
 
-static bool closest(const trees *t, ray r, hit *out) { return bvh8_hit(&t->wide, r, out); }
-static bool closest_leaky(const trees *t, ray r, hit *out)
-{
-    return bvh8_hit_leaky(&t->wide, r, out);
-}
-static bool closest_two(const trees *t, ray r, hit *out) { return bvh_hit(&t->two, r, out); }
-static bool shadow(const trees *t, ray r, hit *out)
-{
-    return *out = hit_none, bvh8_occluded(&t->wide, r);
-}
-static bool shadow_leaky(const trees *t, ray r, hit *out)
-{
-    return *out = hit_none, bvh8_occluded_leaky(&t->wide, r);
-}
-static bool shadow_two(const trees *t, ray r, hit *out)
-{
-    return *out = hit_none, bvh_occluded(&t->two, r);
-}
+/* Two searches of one of the trees: the closest hit, and any. */
+#define SEARCHES(name, tree, closest, any)                                                       \
+    static bool name(const trees *t, ray r, hit *out) { return closest(&t->tree, r, out); }      \
+    static bool name##_any(const trees *t, ray r, hit *out)                                      \
+    {                                                                                            \
+        return *out = hit_none, any(&t->tree, r);                                                \
+    }
+SEARCHES(tight, wide, bvh8_hit, bvh8_occluded)
+SEARCHES(leaky, wide, bvh8_hit_leaky, bvh8_occluded_leaky)
+SEARCHES(binary, two, bvh_hit, bvh_occluded)
 
 static double run_ours(void *context)
 {
@@ -144,12 +136,12 @@ static void make_rays(const mesh *m, const bvh8 *w, ray r[kinds][rays_a_kind])
 typedef struct { const char *name; eight_dialect dialect; search *ask[2]; } rival;  /* any hit: 1 */
 static const rival rival_of[rivals] = {
     {"Embree", EIGHT_PLAIN, {NULL, NULL}},
-    {"AVX-512", EIGHT_AVX512, {closest, shadow}},
-    {"AVX2", EIGHT_AVX2, {closest, shadow}},
-    {"plain C", EIGHT_PLAIN, {closest, shadow}},
-    {"leaky AVX-512", EIGHT_AVX512, {closest_leaky, shadow_leaky}},
-    {"leaky AVX2", EIGHT_AVX2, {closest_leaky, shadow_leaky}},
-    {"14: two wide", EIGHT_PLAIN, {closest_two, shadow_two}}};
+    {"AVX-512", EIGHT_AVX512, {tight, tight_any}},
+    {"AVX2", EIGHT_AVX2, {tight, tight_any}},
+    {"plain C", EIGHT_PLAIN, {tight, tight_any}},
+    {"leaky AVX-512", EIGHT_AVX512, {leaky, leaky_any}},
+    {"leaky AVX2", EIGHT_AVX2, {leaky, leaky_any}},
+    {"14: two wide", EIGHT_PLAIN, {binary, binary_any}}};
 static double product[kinds][rivals];  /* of logarithms */
 
 static void compare(const char *name, const mesh *m, const trees *of, int rounds, table *t)
