@@ -785,20 +785,22 @@ static void test_ways(void)
     size_t n = check_sample(2000, 200);  /* some are rare */
     /* far away in float the planes are off by so much that the order is always one */
     const struct { csg_way way; double least; const char *why; } in[csg_sights] = {
-        [CSG_OUTSIDE] = {{csg_hit_front, 0}, 0, "t > 0, seen from outside"},
-        [CSG_EYE_INSIDE] = {{csg_hit_front, 0}, 50, "t > 0, seen from inside"},
-        [CSG_COINCIDENT] = {{csg_hit_tolerant, -1}, 5, "no rule for equal t: speckle"},
-        [CSG_FAR_AWAY] = {{csg_hit_tolerant, 1e-9}, real_is_float ? 0 : 2,
+        [CSG_OUTSIDE] = {{csg_hit_front, 0, true}, 0, "t > 0, seen from outside"},
+        [CSG_EYE_INSIDE] = {{csg_hit_front, 0, true}, 50, "t > 0, seen from inside"},
+        [CSG_COINCIDENT] = {{csg_hit_tolerant, -1, true}, 5, "no rule for equal t: speckle"},
+        [CSG_FAR_AWAY] = {{csg_hit_tolerant, 1e-9, true}, real_is_float ? 0 : 2,
                           "a tolerance of 1e-9, far away: speckle"},
-        [CSG_MESH_FACES] = {{csg_hit_tolerant, -1}, 5, "meshes that know no planes: speckle"},
-        [CSG_FOILS] = {{csg_hit_tolerant, 0.003}, 50, "two foils of three are gone"}};
+        [CSG_MESH_FACES] = {{csg_hit_tolerant, -1, true}, 5, "meshes that know no planes: speckle"},
+        [CSG_FOILS] = {{csg_hit_tolerant, 0.003, true}, 50, "two foils of three are gone"}};
     for (int k = 0; k < csg_sights; k++) {
         csg_sight s = csg_sight_of((csg_sight_kind)k, 1);
-        check_equal(csg_wrong(&s, (csg_way){csg_hit, 0}, false, n), 0, "csg_hit, sight %d", k);
-        check_equal(csg_wrong(&s, (csg_way){csg_hit, 0}, true, n), 0, "no bounds, sight %d", k);
-        double wrong = csg_wrong(&s, in[k].way, true, n);
-        check_at_least(wrong, in[k].least, "%s", in[k].why);
-        if (k == CSG_OUTSIDE) check_equal(wrong, 0, "%s", in[k].why);
+        const csg_way way[3] = {{csg_hit, 0, false}, {csg_hit, 0, true}, in[k].way};
+        double wrong[3];
+        csg_wrong(&s, way, 3, n, wrong);
+        check_equal(wrong[0], 0, "csg_hit, sight %d", k);
+        check_equal(wrong[1], 0, "no bounds, sight %d", k);
+        check_at_least(wrong[2], in[k].least, "%s", in[k].why);
+        if (k == CSG_OUTSIDE) check_equal(wrong[2], 0, "%s", in[k].why);
         csg_scene_free(&s.scene);
     }
 }

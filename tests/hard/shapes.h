@@ -143,13 +143,14 @@ static inline hard_count solids(int k, real x)
 {
     enum { n = 4000 };
     csg_sight s = csg_sight_of((csg_sight_kind)k, hard_seed);
-    csg_way textbook = {k >= CSG_COINCIDENT ? csg_hit_tolerant : csg_hit_front,
-                        k == CSG_FOILS ? 0.003 : -1}, ours = {csg_hit, 0};
-    double first = csg_wrong(&s, textbook, true, n), now = csg_wrong(&s, ours, false, n);
+    const csg_way way[2] = {{k >= CSG_COINCIDENT ? csg_hit_tolerant : csg_hit_front,
+                             k == CSG_FOILS ? 0.003 : -1, true}, {csg_hit, 0, false}};
+    double wrong[2];
+    csg_wrong(&s, way, 2, n, wrong);
     (void)x;
     csg_scene_free(&s.scene);
-    first = floor(first * n / 100 + 0.5), now = floor(now * n / 100 + 0.5);  /* were percent */
-    return (hard_count){n, (size_t)first, (size_t)now};
+    for (int i = 0; i < 2; i++) wrong[i] = floor(wrong[i] * n / 100 + 0.5);  /* were percent */
+    return (hard_count){n, (size_t)wrong[0], (size_t)wrong[1]};
 }
 
 /* Gears of polygons, or k: with sides of triangles; x: how far away. */

@@ -112,7 +112,7 @@ cold_inline void csg_draw_inside(const options *o)
     bool whole;
     csg_scene s = csg_scene_of(CSG_CLASSIC);
     for (int k = 0; k < 6; k++) {
-        of[k] = (csg_panel){&s, {k < 3 ? csg_hit_front : csg_hit, 0}, eye[k % 3]};
+        of[k] = (csg_panel){&s, {k < 3 ? csg_hit_front : csg_hit, 0, false}, eye[k % 3]};
         p[k] = (panel){title[k], &of[k]};
     }
     image sheet = panels_new(o, (panels_shape){960, 2 * h + 12, 3, 2, 12, o->quick ? 1 : 2, false},
@@ -133,8 +133,9 @@ cold_inline void csg_draw_pocket(const options *o)
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
     const first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0),
                                            42, w, h);
-    const csg_panel of[3] = {{&s, {csg_hit_tolerant, -1}, c}, {&s, {csg_hit_tolerant, 0.003}, c},
-                             {&s, {csg_hit, 0}, c}};
+    const csg_panel of[3] = {{&s, {csg_hit_tolerant, -1, false}, c},
+                             {&s, {csg_hit_tolerant, 0.003, false}, c},
+                             {&s, {csg_hit, 0, false}, c}};
     const panel p[3] = {{"no rule for equal t", &of[0]},
                         {"crossings within 0.003 are one", &of[1]},
                         {"csg.h: one plane, one t", &of[2]}};

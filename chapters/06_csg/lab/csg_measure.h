@@ -14,13 +14,12 @@
 
 enum { csg_methods = 6, csg_timed = 1024 };
 
-static const struct { const char *name; csg_way way; } csg_method[csg_methods] = {
-    {"t > 0, as first.h", {csg_hit_front, 0}},
-    {"planes by points, one by one", {csg_hit_tolerant, -1}},
-    {"the same, tolerance 1e-9", {csg_hit_tolerant, 1e-9}},
-    {"the same, tolerance 0.003", {csg_hit_tolerant, 0.003}},
-    {"spans", {csg_hit, 0}},
-    {"spans, bounds: csg_hit", {csg_hit, 0}}};
+static const char *const csg_method[csg_methods] = {
+    "t > 0, as first.h", "planes by points, one by one", "the same, tolerance 1e-9",
+    "the same, tolerance 0.003", "spans", "spans, bounds: csg_hit"};
+static const csg_way csg_method_way[csg_methods] = {
+    {csg_hit_front, 0, true}, {csg_hit_tolerant, -1, true}, {csg_hit_tolerant, 1e-9, true},
+    {csg_hit_tolerant, 0.003, true}, {csg_hit, 0, true}, {csg_hit, 0, false}};
 
 typedef struct { const csg *c; csg_way way; const ray *r; } csg_timing;
 
@@ -35,18 +34,13 @@ static double csg_time_run(void *context)
     return sum;
 }
 
-typedef struct { csg_sight sight[csg_sights]; size_t n; double wrong[csg_methods][csg_sights]; }
+typedef struct { csg_sight sight[csg_sights]; size_t n; double wrong[csg_sights][csg_methods]; }
     csg_survey;
 
-/* What is due is asked once for all methods: it takes longer than they do. */
 static inline void csg_survey_sight(size_t k, void *context)
 {
     csg_survey *y = context;
-    for (size_t i = 0; i < y->n; i++) {
-        csg_due d = csg_due_of(&y->sight[k], i);
-        for (int m = 0; m < csg_methods; m++)
-            y->wrong[m][k] += csg_errs(&y->sight[k], &d, csg_method[m].way, m < csg_methods - 1);
-    }
+    csg_wrong(&y->sight[k], csg_method_way, csg_methods, y->n, y->wrong[k]);
 }
 
 static inline void csg_main_table(const options *o)
@@ -62,7 +56,7 @@ static inline void csg_main_table(const options *o)
     bare.no_bounds = true;
     for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m < csg_methods - 1 ? &bare : &c, csg_method[m].way, r};
+        x[m] = (csg_timing){csg_method_way[m].bare ? &bare : &c, csg_method_way[m], r};
     bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : o->full ? 31 : 9,
                1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
@@ -70,11 +64,10 @@ static inline void csg_main_table(const options *o)
                         "error foils [%]|time [ns]");
     parallel_whole(5, o->threads, "rays", csg_survey_sight, &y);
     for (int m = 0; m < csg_methods; m++) {
-        const double *wrong = y.wrong[m], percent = 100 / (double)y.n;
-        table_text(&t, "%s", csg_method[m].name);
-        table_number(&t, percent * wrong[0]), table_number(&t, percent * wrong[1]);
-        table_number(&t, percent * (wrong[2] + wrong[3]) / 2);
-        table_number(&t, percent * wrong[4]), table_number(&t, ns[m]);
+        table_text(&t, "%s", csg_method[m]);
+        table_number(&t, y.wrong[0][m]), table_number(&t, y.wrong[1][m]);
+        table_number(&t, (y.wrong[2][m] + y.wrong[3][m]) / 2);
+        table_number(&t, y.wrong[4][m]), table_number(&t, ns[m]);
     }
     output_table(o, &t);
     for (int k = 0; k < 5; k++) csg_scene_free(&y.sight[k].scene);
@@ -88,11 +81,13 @@ static inline void csg_tolerance_plot(const options *o)
                       PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < 3; k++) {
         csg_sight s = csg_sight_of(kind[k], o->seed);
+        csg_way way[25];
+        double wrong[25];
         plot_series(&p, name[k]);
-        for (int e = -24; e <= 0; e++) {
-            csg_way way = {csg_hit_tolerant, (double)pow((real)10, (real)e / 2)};
-            plot_add(&p, k, way.tolerance, csg_wrong(&s, way, true, 1000));
-        }
+        for (int e = 0; e < 25; e++)
+            way[e] = (csg_way){csg_hit_tolerant, (double)pow((real)10, (real)e / 2 - 12), true};
+        csg_wrong(&s, way, 25, 1000, wrong);
+        for (int e = 0; e < 25; e++) plot_add(&p, k, way[e].tolerance, wrong[e]);
         csg_scene_free(&s.scene);
     }
     output_plot(o, &p, "06_csg_tolerance.svg");

@@ -8,8 +8,8 @@
  *   csg_sight s = csg_sight_of(kind, seed)   a scene, and rays that try it; free s.scene
  *   csg_sight_ray(&s, i)             ray i of them
  *   csg_due d = csg_due_of(&s, i)    the same, and its first hit as it ought to be
- *   csg_errs(&s, &d, way, bare)      is the hit, t or normal another? bare: without bounds
- *   csg_wrong(&s, way, bare, n)      percent of n rays
+ *   csg_errs(&s, &d, &way)           is the hit, t or normal another?
+ *   csg_wrong(&s, way, ways, n, wrong)   by each of the ways: percent of n rays
  */
 #ifndef CSG_SURVEY_H
 #define CSG_SURVEY_H
@@ -102,25 +102,26 @@ static inline csg_due csg_due_of(const csg_sight *s, size_t i)
     return d;
 }
 
-static inline bool csg_errs(const csg_sight *s, const csg_due *d, csg_way way, bool bare)
+static inline bool csg_errs(const csg_sight *s, const csg_due *d, const csg_way *way)
 {
-    csg c = s->scene.c;
+    const csg *c = &s->scene.c;
     hit h;
-    c.no_bounds = bare;
-    bool is = csg_way_hit(&way, &c, d->r, &h);
+    bool is = csg_way_hit(way, c, d->r, &h);
     if (!is || !d->is) return is != d->is;
     return !(fabs((double)h.t - d->t) * (double)vlength(d->r.d) <= csg_sight_least(s)
-             && vdot(csg_normal(&c, d->r, h), d->n) > (real)0.99);
+             && vdot(csg_normal(c, d->r, h), d->n) > (real)0.99);
 }
 
-static inline double csg_wrong(const csg_sight *s, csg_way way, bool bare, size_t n)
+/* What is due is asked once for all ways: it takes longer than they do. */
+static inline void csg_wrong(const csg_sight *s, const csg_way *way, int ways, size_t n,
+                             double *wrong)
 {
-    size_t wrong = 0;
+    for (int m = 0; m < ways; m++) wrong[m] = 0;
     for (size_t i = 0; i < n; i++) {
         csg_due d = csg_due_of(s, i);
-        wrong += csg_errs(s, &d, way, bare);
+        for (int m = 0; m < ways; m++) wrong[m] += csg_errs(s, &d, &way[m]);
     }
-    return 100 * (double)wrong / (double)n;
+    for (int m = 0; m < ways; m++) wrong[m] *= 100 / (double)n;
 }
 
 #endif

@@ -5,7 +5,7 @@
  *                                 by (4.4); crossings within csg_tolerance [length] of each other
  *                                 happen at once. Below 0: one crossing at a time, those of a
  *                                 first: spans of length 0 stay, and those that are rounding errors
- *   csg_way_hit(&way, &c, r, &h)  a function, with its tolerance
+ *   csg_way_hit(&way, &c, r, &h)  a function, with its tolerance; bare: without bounds
  */
 #ifndef CSG_VARIANTS_H
 #define CSG_VARIANTS_H
@@ -14,7 +14,7 @@
 
 typedef bool csg_hit_function(const csg *, ray, hit *);
 
-typedef struct { csg_hit_function *X_hit; double tolerance; } csg_way;
+typedef struct { csg_hit_function *X_hit; double tolerance; bool bare; } csg_way;
 
 static _Thread_local real csg_tolerance, csg_tolerance_t;  /* [length], and in lengths of d */
 
@@ -98,8 +98,9 @@ static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
 
 static inline bool csg_way_hit(const csg_way *w, const csg *c, ray r, hit *out)
 {
-    csg_tolerance = (real)w->tolerance;
-    return w->X_hit(c, r, out);
+    csg own = *c;
+    own.no_bounds = w->bare, csg_tolerance = (real)w->tolerance;
+    return w->X_hit(&own, r, out);
 }
 
 #endif
