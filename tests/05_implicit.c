@@ -171,7 +171,6 @@ static void test_double_points(void)
     implicit_subject u = implicit_subject_of(IMPLICIT_BARTH);
     const double g = implicit_golden;
     const double at[4][3] = {{0, 0, 1}, {0.5, g / 2, (g - 1) / 2}, {1, 1, 1}, {0, g - 1, g}};
-    size_t nodes = 0;
     double f = 0, gradient = 0;
     for (int k = 0; k < 4; k++)
         for (int turn = 0; turn < 3; turn++)
@@ -181,11 +180,9 @@ static void test_double_points(void)
                     p[(i + turn) % 3] = at[k][i] * (sign >> i & 1 ? -1 : 1);
                 double v = (double)implicit_value(&u.s, vec(p[0], p[1], p[2]));
                 double slope = (double)vlength(implicit_gradient(&u.s, vec(p[0], p[1], p[2])));
-                if (fabs(v) < 1e-4 && slope < 1e-3) nodes++;
                 f = check_worse(f, fabs(v)), gradient = check_worse(gradient, slope);
             }
-    /* of 96, some more than once: each must be one, whichever way the pattern is turned */
-    check_equal(nodes, 96, "double points, counted with their signs");
+    /* 96, some more than once: each must be one, whichever way the pattern is turned */
     check_at_most(f, 100 * eps, "f in a double point: terms of size 30");
     check_at_most(gradient, 1000 * eps, "and its gradient: some ten times as much");
     implicit_subject ball = implicit_subject_of(IMPLICIT_SPHERE);
