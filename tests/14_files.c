@@ -53,28 +53,27 @@ static void test_hits(void)
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The program compares its walk with the search itself: another order, box or triangle: exit 1. */
-static void test_pixel(void)
+static void test_program(void)
 {
-    check_equal(run("14_bvh", "--quick --pixel 320,200"), 0, "the walk is that of the search");
-    check(printed("out", "\nhit: triangle ") && printed("out", ": hit at t = "), "a hit");
-    check(printed("out", "(2.5)\n") && printed("out", "(14.2)\n") && printed("out", "(7.1)\n"),
-          "lines with their equations");
-    check_equal(run("14_bvh", "--quick --pixel 300,150"), 0, "another pixel");
-    check_equal(run("14_bvh", "--quick --pixel 0,0"), 0, "beside the teapot");
-    check(printed("out", "no hit\n"), "no hit");
-    check_equal(run("14_bvh", "--pixel 640,0"), 2, "beside the picture");
-    check_equal(run("14_bvh", "--pixel 4294967296,0"), 2, "2^32 is not 0");
-    check_equal(run("14_bvh", "--pixel 3,2,1"), 2, "three numbers");
-    check(printed("err", "--pixel 3,2,1: allowed are X,Y"), "says so");
-    check_equal(run("14_bvh", "--pixel 3,2 --out x.png"), 2, "no picture");
-}
-
-static void test_misuse(void)
-{
+    static const struct { const char *arguments; int code; const char *where, *says; } list[] = {
+        {"--quick --pixel 320,200", 0, "out", "\nhit: triangle "},
+        {"--quick --pixel 320,200", 0, "out", ": hit at t = "},
+        {"--quick --pixel 320,200", 0, "out", "(2.5)\n"},
+        {"--quick --pixel 320,200", 0, "out", "(14.2)\n"},
+        {"--quick --pixel 320,200", 0, "out", "(7.1)\n"},
+        {"--quick --pixel 300,150", 0, "out", "pairs of boxes"},
+        {"--quick --pixel 0,0", 0, "out", "no hit\n"},
+        {"--pixel 640,0", 2, "err", "640"},
+        {"--pixel 4294967296,0", 2, "err", "4294967296"},  /* 2^32 is not 0 */
+        {"--pixel 3,2,1", 2, "err", "--pixel 3,2,1: allowed are X,Y"},
+        {"--pixel 3,2 --out x.png", 2, "err", "--pixel"},
+        {"--mesh /nowhere/x.obj", 1, "err", "/nowhere/x.obj"},
+        {"--mesh @bad.obj", 2, "err", ":2"}};  /* the line */
     put("bad.obj", "v 0 0 0\nf 1 2 3\n");
-    check_equal(run("14_bvh", "--mesh /nowhere/x.obj"), 1, "no such mesh");
-    check_equal(run("14_bvh", "--mesh @bad.obj"), 2, "a mesh with an error");
-    check(printed("err", "2"), "and its line");
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        check_equal(run("14_bvh", list[i].arguments), list[i].code, "%s", list[i].arguments);
+        check(printed(list[i].where, list[i].says), "%s: says %s", list[i].arguments, list[i].says);
+    }
 }
 
 int main(void)
@@ -83,8 +82,7 @@ int main(void)
     test_rays();
     test_hits();
     if (run("14_bvh", "--help") == 0) {
-        test_pixel();
-        test_misuse();
+        test_program();
     } else printf("14_files: the program is not built (make), so it is not tested\n");
     remove_directory();
     return check_report("14_files");

@@ -82,9 +82,7 @@ static inline vec3 see_stadium(const void *picture, real x, real y)
 static inline vec3 see_work_log(const void *picture, real x, real y)
 {
     const trial_picture *p = picture;
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    p->verbs->hit_counted(p->built, trial_eye_ray(p, x, y), &h, &w);
+    search_work w = trial_eye_work(p, x, y);
     return work_colour(log((real)(1 + w.nodes + w.tests)) / log(p->most));
 }
 
