@@ -1,7 +1,7 @@
 /* 06_csg: spans of trees against the Boolean of their parts, faces that coincide, meshes through
  * their edges and corners, bounds that change nothing, depth, strange input, hostile texts. */
 #include "../chapters/06_csg/csg.h"
-#include "../chapters/06_csg/lab/csg_survey.h"
+#include "../chapters/06_csg/lab/csg_measure.h"
 #include "check.h"
 
 static const double eps = (double)real_epsilon;

@@ -9,7 +9,7 @@
 #include "../../chapters/04_triangle/first.h"
 #include "../../chapters/04_triangle/lab/triangle_trials.h"
 #include "../../chapters/05_implicit/lab/implicit_trials.h"
-#include "../../chapters/06_csg/lab/csg_survey.h"
+#include "../../chapters/06_csg/lab/csg_measure.h"
 #include "../07_trials.h"
 #include "../../chapters/08_object_order/lab/orders_draw.h"
 

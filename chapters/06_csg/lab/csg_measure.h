@@ -1,16 +1,135 @@
-/* csg_measure.h: the tables and plots of this chapter.
+/* csg_measure.h: what each way to the first hit gets wrong, the rays that show it, and its time.
  *
  *   csg_main_table(&o)       what each way gets wrong, and its time
  *   csg_tolerance_plot(&o)   tolerances from 1e-12 to 1
+ *
+ *   csg_truth(m, &c, r, least, &t, &n)    the first place in [tmin, tmax] where the Boolean of the
+ *                                    parts changes, and the normal there; false: nowhere. The
+ *                                    crossings of single solids tell where to look; between each
+ *                                    two of them oracle_contains is asked. What is shorter than
+ *                                    `least` is rounding, and nothing
+ *   csg_sight s = csg_sight_of(kind, seed)   a scene, and rays that try it; free s.scene
+ *   csg_sight_ray(&s, i)             ray i of them
+ *   csg_due d = csg_due_of(&s, i)    the same, and its first hit as it ought to be
+ *   csg_errs(&s, &d, &way)           is the hit, t or normal another?
+ *   csg_wrong(&s, way, ways, n, wrong)   by each of the ways: percent of n rays
  */
 #ifndef CSG_MEASURE_H
 #define CSG_MEASURE_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "csg_survey.h"
+#include "csg_oracle.h"
+#include "csg_scenes.h"
+#include "csg_variants.h"
+
+typedef enum { CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT, CSG_FAR_AWAY, CSG_MESH_FACES,
+               CSG_FOILS, csg_sights }
+    csg_sight_kind;
+typedef struct {
+    csg_sight_kind kind;
+    csg_scene scene;
+    vec3 shift;
+    uint64_t seed;
+} csg_sight;
+typedef struct { ray r; bool is; double t; vec3 n; } csg_due;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline bool csg_truth(csg_model m, const csg *c, ray r, double least, double *t, vec3 *n)
+{
+    csg_crossing at[64];
+    size_t k = 0;
+    for (size_t i = 0; i < m.solids && k < 56; i++)
+        k += csg_solid_crossings(&m.solid[i], r, c->first[i], at + k);
+    csg_sort(at, k);
+    double last = (double)r.tmin, margin, scale = (double)vlength(r.d);
+    bool before = false, known = false;
+    for (size_t i = 0; i <= k; i++) {
+        double next = i < k ? (double)at[i].t : last + 2;
+        if (!((next - last) * scale > least)) continue;
+        double middle = isfinite(next) ? (last + next) / 2 : last + 1;
+        bool in = oracle_contains(m, oracle_on(r, middle), &margin);
+        if (known && in != before) {
+            *t = last;
+            hit h = {(real)last, 0, 0, 0};
+            for (size_t j = 0; j < k; j++)  /* the solid whose crossing is there */
+                if (fabs((double)at[j].t - last) * scale <= least) h.shape = at[j].surface;
+            vec3 out = csg_normal(c, r, h);
+            *n = (vdot(out, r.d) > 0) == in ? vneg(out) : out;  /* into it: against the ray */
+            return true;
+        }
+        before = in, known = true, last = next;
+    }
+    return false;
+}
+
+static inline csg_sight csg_sight_of(csg_sight_kind kind, uint64_t seed)
+{
+    double far = kind != CSG_FAR_AWAY ? 0 : real_is_float ? 1e2 : 1e7;
+    csg_sight s = {.kind = kind, .seed = seed, .shift = vec(far, 0.7 * far, -0.4 * far)};
+    s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(kind == CSG_MESH_FACES, s.shift)
+        : csg_scene_of(CSG_CLASSIC);
+    return s;
+}
+
+static inline ray csg_sight_ray(const csg_sight *s, size_t i)
+{
+    random_stream x = random_start(s->seed, i, (uint64_t)s->kind);
+    vec3 to = random_in_cube(&x, 1), jitter = random_in_cube(&x, (real)0.3), n[3];
+    if (s->kind == CSG_OUTSIDE) return ray_from(vadd(vec(2.9, 2.6, 4.4), jitter),
+                                                vsub(to, vec(2.9, 2.6, 4.4)));
+    if (s->kind == CSG_EYE_INSIDE)
+        return ray_from(vadd(i % 2 ? vec(0, 0, 0) : vec(0.7, 0.7, 0.7), vscale(jitter, (real)0.2)),
+                        random_direction_of(&x));
+    vec3 eye = vadd(s->shift, vadd(vec(2.0, 3.6, 4.4), jitter));
+    csg_scene_axes(n);
+    real u = to.x, v = to.y, w = to.z;  /* in the block's own frame: on two faces, or on a foil */
+    if (s->kind == CSG_FOILS)
+        w = 0, u = (real)1.7 + u * (real)0.39, v = (real)(i % 3) * (real)0.7 - (real)0.7 + v / 4;
+    else if (i % 2) v = 1;
+    else w = 1;
+    vec3 p = vadd(vadd(vscale(n[0], u), vscale(n[1], v)), vscale(n[2], w));
+    return ray_from(eye, vsub(vadd(p, s->shift), eye));
+}
+
+/* Above the rounding of the scene, below the thinnest foil. */
+static inline double csg_sight_least(const csg_sight *s)
+{
+    return s->kind == CSG_FAR_AWAY ? (real_is_float ? 1e-4 : 1e-6) : real_is_float ? 2e-5 : 1e-9;
+}
+
+static inline csg_due csg_due_of(const csg_sight *s, size_t i)
+{
+    csg_due d = {csg_sight_ray(s, i), false, 0, {0, 0, 0}};
+    d.is = csg_truth(csg_expression_model(&s->scene.e), &s->scene.c, d.r, csg_sight_least(s), &d.t,
+                     &d.n);
+    return d;
+}
+
+static inline bool csg_errs(const csg_sight *s, const csg_due *d, const csg_way *way)
+{
+    const csg *c = &s->scene.c;
+    hit h;
+    bool is = csg_way_hit(way, c, d->r, &h);
+    if (!is || !d->is) return is != d->is;
+    return !(fabs((double)h.t - d->t) * (double)vlength(d->r.d) <= csg_sight_least(s)
+             && vdot(csg_normal(c, d->r, h), d->n) > (real)0.99);
+}
+
+/* What is due is asked once for all ways: it takes longer than they do. */
+static inline void csg_wrong(const csg_sight *s, const csg_way *way, int ways, size_t n,
+                             double *wrong)
+{
+    for (int m = 0; m < ways; m++) wrong[m] = 0;
+    for (size_t i = 0; i < n; i++) {
+        csg_due d = csg_due_of(s, i);
+        for (int m = 0; m < ways; m++) wrong[m] += csg_errs(s, &d, &way[m]);
+    }
+    for (int m = 0; m < ways; m++) wrong[m] *= 100 / (double)n;
+}
+
+/* ---- the table, the plot ---- */
 
 enum { csg_methods = 6, csg_timed = 1024 };
 
