@@ -1,7 +1,7 @@
 /* 20's first.h: the answers of estimate.h and of closed forms; a variance that is noise; the sky by
  * its directions, whose densities 20_sampling.c asks for. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../chapters/20_monte_carlo/lab/chance_figure.h"
-#include "../chapters/20_monte_carlo/lab/dome_picture.h"
+#include "../chapters/20_monte_carlo/lab/pictures.h"
 #include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/sampling.h"
 #include "../common/lab/t_test.h"

@@ -2,7 +2,6 @@
  * well and fatally, and what four times the rays do. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds, there are fewer than 100. */
 #include "../chapters/20_monte_carlo/lab/measure.h"
-#include "../chapters/20_monte_carlo/lab/importance.h"
 #include "check.h"
 
 #define alarm 1e-8

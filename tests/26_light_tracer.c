@@ -1,7 +1,7 @@
 /* Tests of 26_path_tracer: light against eye. Paths from the lamp and paths from the eye must find
  * the same radiance in every block of pixels. Fixed seeds; false alarms: once in 1e7 seeds. */
 #include "../common/lab/t_test.h"
-#include "../chapters/26_path_tracer/lab/light_picture.h"
+#include "../chapters/26_path_tracer/lab/pictures.h"
 #include "../chapters/26_path_tracer/lab/showcase.h"
 #include "check.h"
 
@@ -78,7 +78,7 @@ static void compare(const char *name, const showcase *c)
 }
 
 /* Over a floor, under a lamp; with a table in the ball. */
-static void glass_ball(showcase *c, material glass, bool table)
+static void glass_ball(showcase *c, material glass, bool with_table)
 {
     *c = (showcase){.has_sky = false};
     lit_begin(&c->s);
@@ -87,7 +87,7 @@ static void glass_ball(showcase *c, material glass, bool table)
     uint16_t matte = lit_add_material(&c->s, (material){.kd = vec(.8, .8, .8)});
     lit_add_rectangle(&c->s, (rectangle){vec(-1, 4, -1), vec(2, 0, 0), vec(0, 0, 2)}, lamp);
     showcase_ball(&c->s, (vec3){0, 2, 0}, (real)0.7, glass);
-    if (table)
+    if (with_table)
         lit_add_rectangle(&c->s, (rectangle){vec(-.45, 2, -.45), vec(0, 0, .9), vec(.9, 0, 0)},
                           matte);
     lit_end(&c->s);

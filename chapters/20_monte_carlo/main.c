@@ -4,7 +4,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chap
 #include "lab/chance_figure.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
-#include "lab/dome_picture.h"
 
 int main(int argc, char **argv)
 {

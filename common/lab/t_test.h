@@ -18,7 +18,7 @@
  * of m tests the chance of any false alarm is at most m times that of each.
  *
  * What it can't see: with an infinite variance the standard error is too small most of the time,
- * and the estimate is "wrong" with confidence (20's importance.h).
+ * and the estimate is "wrong" with confidence (20's integrands.h).
  *
  * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; K. Subr, J. Arvo,
  * "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics 2007.

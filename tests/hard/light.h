@@ -6,7 +6,7 @@
 #define HARD_LIGHT_H
 
 /* 23 to 26 before 18, and 27 before 21 and 22: no type comes before parameters of its name. */
-#include "../../chapters/20_monte_carlo/lab/importance.h"
+#include "../../chapters/20_monte_carlo/lab/integrands.h"
 #include "../../chapters/20_monte_carlo/lab/sampling_naive.h"
 #include "../../chapters/23_brdf/first.h"
 #include "../../chapters/23_brdf/lab/brdf_naive.h"

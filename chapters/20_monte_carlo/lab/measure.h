@@ -17,7 +17,6 @@
 #include "../../../common/lab/report.h"
 #include "../../../common/lab/t_test.h"
 #include "../../../common/parallel.h"
-#include "importance.h"
 #include "integrands.h"
 
 /* ---- how fast errors fall ---- */

@@ -4,17 +4,28 @@
  *   draw_strategies(o)  directions, roulette, light samples, MIS: one by one, as many rays each
  *   draw_ladder(o)      the box by 1, 4, 16 .. 4096 samples a pixel, and how far off each is
  *   draw_light(o)       the box of spheres from the eye and from the lamp, as many paths of each
+ *   bool whole = light_picture(&t, seed, paths, threads, &im, &work);   paths from the lamp, a
+ *                       multiple of light_jobs, on all cores; work: {0} at first; false: Ctrl-C
  *
  * The numbers of samples are fixed, so that the bytes are. Powers of two: two halves (film.h) of
- * 2^k Sobol' points each are spread best (20).
+ * 2^k Sobol' points each are spread best (20). Each job from the lamp has a sum of its own, added
+ * up in order: the same bytes for any number of threads.
  */
 #ifndef PATH_PICTURES_H
 #define PATH_PICTURES_H
 
 #include "../../../common/lab/panels.h"
 #include "../../../common/lab/report.h"
-#include "light_picture.h"
+#include "../light_tracer.h"
 #include "showcase.h"
+
+enum { light_jobs = 16 };
+typedef struct {
+    const light_tracer *t;
+    uint64_t seed;
+    size_t paths;                  /* of each job */
+    light_sum sum[light_jobs];
+} light_share;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -102,6 +113,34 @@ cold_inline void draw_strategies(const options *o)
         shot_free(&s);
     }
     panels_save(o, &all, panels, 1, 0, title, "26_path_tracer_strategies.png", whole);
+}
+
+static inline void light_job(size_t job, void *context)
+{
+    light_share *l = context;
+    path_pixel p;
+    path_pixel_of(&path_defaults, l->seed, job, &p);
+    for (uint32_t k = 0; k < l->paths; k++) {
+        path_random s = path_sample(&p, k, 1u << 31);
+        light_path(l->t, &s, &l->sum[job]);
+    }
+}
+
+static inline bool light_picture(const light_tracer *t, uint64_t seed, size_t paths, int threads,
+                                 image *im, path_counts *work)
+{
+    light_share l = {.t = t, .seed = seed, .paths = paths / light_jobs};
+    size_t n = 3 * (size_t)t->width * (size_t)t->height;
+    *im = image_new(t->width, t->height);
+    for (int k = 0; k < light_jobs; k++) l.sum[k].rgb = allocate(n, sizeof(double));
+    bool whole = parallel_for(light_jobs, threads, "paths from the lamp", light_job, &l);
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < light_jobs; k++) sum += l.sum[k].rgb[i];
+        im->rgb[i] = (float)(sum / (double)paths);
+    }
+    for (int k = 0; k < light_jobs; k++) path_counts_add(work, &l.sum[k].work), free(l.sum[k].rgb);
+    return whole;
 }
 
 cold_inline void draw_light(const options *o)
