@@ -1,5 +1,6 @@
 /* Tests of chapters/07_mesh/teapot.h: patches against de Casteljau in wide numbers, the mesh
- * against Euler's formula, Newell's box and the winding number. */
+ * against Euler's formula, Newell's box and the winding number. (Its points: test_shipped, 07_obj.)
+ */
 #include "check.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
@@ -181,32 +182,6 @@ static void test_patches(void)
     }
 }
 
-/* Neighbours meet, and their normals agree: the teapot has no crease inside a part. */
-static void test_seams(void)
-{
-    double gap = 0, crease = 0;
-    for (int k = 0; k < 4; k++) {
-        const teapot_part *part = &teapot_parts[k];
-        for (int patch = 0; patch < part->rings * part->copies; patch++)
-            for (int i = 0; i <= 128; i++) {  /* round to the next copy, then on to the next ring */
-                int ring = patch / part->copies, copy = patch % part->copies, on = i % 2;
-                if (ring + on == part->rings) continue;
-                bezier_weights w = bezier_at((real)(128 - i) / 128, (real)i / 128);
-                bezier_weights begin = bezier_at(1, 0), end = bezier_at(0, 1);
-                bezier_patch a = teapot_patch(part, ring, copy),
-                             b = teapot_patch(part, ring + on, (copy + !on) % part->copies);
-                vec3 na, nb, p = bezier_point(&a, on ? &w : &end, on ? &end : &w, &na),
-                             q = bezier_point(&b, on ? &w : &begin, on ? &begin : &w, &nb);
-                gap = check_worse(gap, (double)vlength(vsub(p, q)));
-                crease = check_worse(crease, (double)vlength(vsub(na, nb)));
-            }
-    }
-    check_equal(gap, 0, "patches that meet share the control points of the edge, to the last bit");
-    check_at_most(crease, 64 * (double)real_epsilon,
-                  "slopes across an edge are parallel as published; points are rounded "
-                  "by half an ulp of up to 3.5, the shortest slope is 0.075");
-}
-
 /* ---- normals and orientation ---- */
 
 /* Of the triangles [from, to): 1 inside a closed mesh that is turned outwards. */
@@ -263,5 +238,5 @@ static void test_outwards(void)
 
 int main(void)
 {
-    return check_all("07_teapot", test_counts, test_box, test_patches, test_seams, test_outwards);
+    return check_all("07_teapot", test_counts, test_box, test_patches, test_outwards);
 }
