@@ -28,7 +28,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* p moved to the side of w, far enough (18.10), and by `more` [scene units]. */
+/* p moved along `side`, n or -n, far enough (18.10), and by `more` [scene units]. */
+fast_inline vec3 leave_side(const surface *s, vec3 side, real more)
+{
+    return vmadd(s->p, side, s->error + s->noise + more);
+}
+
+/* p moved to the side of w. */
 fast_inline vec3 leave_point(surface s, vec3 w, real more)
 {
     real off = s.error + s.noise + more;

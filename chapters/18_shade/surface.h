@@ -108,11 +108,22 @@ static inline surface surface_of_mesh(const mesh *m, hit h)
     return s;
 }
 
+/* unit(p - c), inwards if R < 0. (p - c) / R has length 1 + x; one step of Newton's method for
+ * 1/sqrt makes 1 - 3/2 x^2: less than rounding does, if the ray came from no farther away than some
+ * 1e7 R (in float: 1000 R). No root stands in the way of what waits for n, then. */
+fast_inline vec3 surface_sphere_normal(sphere b, vec3 p)
+{
+    const real near = real_is_float ? (real)0x1p-13 : (real)0x1p-27;
+    vec3 n = vscale(vsub(p, b.c), 1 / b.r);
+    real square = vdot(n, n);
+    if (fabs(square - 1) < near) return vscale(n, (3 - square) / 2);
+    return sphere_normal(b, p);  /* R = 0, a NaN, too */
+}
+
 fast_inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
 {
-    vec3 n = vunit(vsub(p, b.c));
-    p = vmadd(b.c, n, fabs(b.r));  /* sphere_point, which finds n on the way */
-    if (b.r < 0) n = vneg(n);
+    vec3 n = surface_sphere_normal(b, p);
+    p = vmadd(b.c, n, b.r);  /* sphere_point, which finds n on the way */
     real error = real_epsilon * (4 * fabs(b.r) + 2 * surface_reach(p));
     return (surface){p, n, n, error, 0, index};
 }

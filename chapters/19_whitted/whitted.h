@@ -51,7 +51,7 @@ static inline bool whitted_counts(const whitted *w, const whitted_branch *b,
 static inline void whitted_go_on(const whitted_branch *b, const whitted_place *p, ray_kind kind,
                                  vec3 d, vec3 side, whitted_branch *child)
 {
-    child->r.o = leave_point(surface_copy(&p->s), side, p->more), child->r.d = lifted(d, side);
+    child->r.o = leave_side(&p->s, side, p->more), child->r.d = lifted(d, side);
     child->r.tmin = 0, child->r.tmax = real_infinity;
     child->in = b->in, child->depth = b->depth + 1, child->kind = kind, child->number = b->number;
     child->left = kind == RAY_REFLECTION ? p->face : world_no_face;

@@ -87,13 +87,13 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
     const surface *s = &p->s;
     vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
     bool reflects = material_reflects(m);
+    vec3 from = leave_side(s, s->n, 0);  /* a light that counts is in front */
     for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
         light_sample x = {{0, 0, 0}, {0, 0, 0}};
         bool counts = reflects && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !w->spend_all) continue;
-        ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
-                                       : leave(surface_copy(s), L->at);
+        ray r = L->kind == LIGHT_POINT ? ray_between(from, L->at) : ray_from(from, L->at);
         real lit = 1;
         trace_hit any;
         world_but but = world_left(counts ? p->face : world_no_face);
@@ -149,7 +149,7 @@ static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
         vec3 sigma = w->media[p->inside].absorb;
         if (!vzero(sigma)) p->left = vmul(p->left, absorbed(sigma, x.h.t));             /* (19.9) */
         if (!p->m->body || p->beyond != p->inside) return true;
-        b->r.o = leave_point(p->s, vneg(p->s.n), p->more), b->in = p->after;  /* no interface */
+        b->r.o = leave_side(&p->s, vneg(p->s.n), p->more), b->in = p->after;  /* no interface */
     }
 }
 
