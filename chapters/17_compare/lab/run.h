@@ -13,7 +13,6 @@
 
 #include "../../07_mesh/files/ray_file.h"
 #include "growth.h"
-#include "orders.h"
 #include "pictures.h"
 #include "regimes.h"
 #include "settings.h"
