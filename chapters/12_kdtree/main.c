@@ -26,7 +26,7 @@ static void measure(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &kdtree_trial, &kdtree_defaults);
     table_of_strategies(o, &s);
-    if (o->full) table_of_planes(o), table_of_growth(o);
+    if (o->full) table_of_planes(o), table_of_sizes(o);
     trial_scene_free(&s);
 }
 

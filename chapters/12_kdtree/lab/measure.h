@@ -2,7 +2,7 @@
  *
  *   table_of_strategies(o, &s)    the page's table; --full: all columns and all rows as well
  *   table_of_planes(o)            squares in dyadic planes, where textbook searches lose hits
- *   table_of_growth(o)            time, work and memory against the number of triangles: a table, a
+ *   table_of_sizes(o)             time, work and memory against the number of triangles: a table, a
  *                                 plot of the work, and two lines of exponents
  */
 #ifndef KDTREE_MEASURE_H
@@ -124,7 +124,7 @@ static inline void table_of_planes(const options *o)
 
 /* Teapots of 64 n^2 - 8 n triangles, ever finer; diffuse rays from where the eye's rays hit. The
  * finest is not asked by brute force. */
-static inline void table_of_growth(const options *o)
+static inline void table_of_sizes(const options *o)
 {
     enum { sizes = 8, width = 280, brute = 64 };  /* for some 20,000 diffuse rays, as in 17 */
     static const int fine[sizes] = {1, 2, 4, 8, 16, 32, 64, 126};
