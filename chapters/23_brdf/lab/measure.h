@@ -1,7 +1,7 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
- *   measure_glossy(&o)   main table of a glossy surface, five ways to integrate; with --full of
- *                        three surfaces, six ways, and a plot
+ *   measure_glossy(&o)   main table of a glossy surface, five ways to integrate; with --full at all
+ *                        levels, and that of first.h, which sees a window, six ways; a plot
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
  */
 #ifndef BRDF_MEASURE_H
@@ -13,9 +13,9 @@
 #include "../first.h"
 #include "reference.h"
 
-enum { MATTE, GLOSSY, WINDOW, surfaces };  /* the last reflects the window of first.h, no sky */
+enum { GLOSSY, WINDOW, surfaces };  /* the last reflects the window of first.h, no sky */
 enum { FIRST = 5, methods, levels = 5, brief_level = 2 };  /* without --full that one */
-static const char *const surface_name[surfaces] = {"Lambert", "GGX .25", "window"};
+static const char *const surface_name[surfaces] = {"GGX .25", "window"};
 static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
                                                  "BRDF, Sobol'", "first"};
 
@@ -25,9 +25,8 @@ static const first_brdf window_brdf = {{0.12, 0.04, 0.02}, {0.75, 0.6, 0.4}, 64}
 
 static inline brdf surface_brdf(int surface)
 {
-    vec3 white = {1, 1, 1};
-    if (surface == WINDOW) return brdf_blinn_phong(window_brdf.kd, window_brdf.ks, window_brdf.e);
-    return surface == MATTE ? brdf_lambert(white) : brdf_ggx(white, (real)0.25);
+    return surface == GLOSSY ? brdf_ggx((vec3){1, 1, 1}, (real)0.25)
+                             : brdf_blinn_phong(window_brdf.kd, window_brdf.ks, window_brdf.e);
 }
 
 static inline uint32_t level_samples(int level) { return (uint32_t)16 << 2 * level; }
@@ -57,11 +56,10 @@ static inline double surface_exact(int surface)
 {
     brdf b = surface_brdf(surface);
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
-    int k = surface == WINDOW ? 4000 : 1000;
     vec3 wo = surface_view(surface);
     incident_light *light = surface_light(surface);
     return (double)(surface == GLOSSY ? reflection_reference(&b, upright, wo, light)
-                                      : reflection_grid(&r, &b, upright, wo, light, k)).x;
+                                      : reflection_grid(&r, &b, upright, wo, light, 4000)).x;
 }
 
 /* A row of the tables, at all levels. */
