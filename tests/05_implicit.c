@@ -164,6 +164,25 @@ static void test_surfaces(void)
     }
 }
 
+/* The quartic of a torus and its distance have one sign, and its gradient is that of differences; R
+ * is not 1, as it is elsewhere. */
+static void test_two_tori(void)
+{
+    const implicit_ring ring = {(real)1.25, (real)0.5};
+    const implicit_surface quartic = implicit_torus(&ring), tube = implicit_torus_distance(&ring);
+    size_t differ = 0, n = check_count(20000);
+    double off = 0, bound = 100 * pow(eps, 2.0 / 3) * (double)quartic.lipschitz;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(23, i, 0);
+        vec3 p = random_in_cube(&s, 2), g = implicit_gradient(&quartic, p);
+        off = check_worse(off, (double)vlength(vsub(g, implicit_differences(&quartic, p))));
+        real f = implicit_value(&quartic, p), d = implicit_value(&tube, p);
+        differ += fabs(d) > (real)1e-3 && (f < 0) != (d < 0);
+    }
+    check_equal(differ, 0, "inside for one and outside for the other, of %zu points", n);
+    check_at_most(off, bound, "the gradient");
+}
+
 /* 50 of the 65 double points of Barth's sextic: on the axes of 15 turns at distance 1, at the 20
  * corners of a dodecahedron at sqrt(3). f and its gradient are 0 there; the normal is defined. */
 static void test_double_points(void)
@@ -575,7 +594,7 @@ int main(void)
 {
     return check_all("05_implicit", test_closed_form, test_intervals, test_crests_far_away,
                      test_sine_of_a_number, test_strange_intervals, test_surfaces,
-                     test_double_points, test_newton, test_nothing_missed, test_tangents,
-                     test_all_roots, test_tracing, test_middle, test_strange_functions,
-                     test_strange_rays, test_invariants);
+                     test_two_tori, test_double_points, test_newton, test_nothing_missed,
+                     test_tangents, test_all_roots, test_tracing, test_middle,
+                     test_strange_functions, test_strange_rays, test_invariants);
 }

@@ -871,7 +871,11 @@ static void test_strange_rays(void)
     check(!csg_hit(&c, ray_from(vec(0, 0, 3), vec(1, 0, -1)), &h), "that nothing hits");
     csg_free(&c);
     csg_solid rod = csg_cylinder(vec(1, 2, 3), vec(0, 0, 5), 1);
+    csg_solid cube = csg_box(vec(-1, -1, -1), vec(1, 1, 1));
     csg_crossing y[2];
+    for (int side = -1; side <= 1; side += 2)
+        check(csg_solid_crossings(&cube, ray_from(vec(-3, side, 0), vec(1, 0, 0)), 0, y) == 2,
+              "in a face of a box, y = %d: it belongs to it", side);
     check(csg_solid_crossings(&rod, ray_from(vec(1.5, 2, 0), vec(0, 0, 2)), 0, y) == 2
           && y[0].t == -real_infinity, "along a cylinder, within it");
     check(csg_solid_crossings(&rod, ray_from(vec(2.5, 2, 0), vec(0, 0, 2)), 0, y) == 0,
