@@ -67,23 +67,23 @@ static inline void table_of_rungs(const options *o, const trial_scene *s, bool l
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef bool shadow_ask(const bvh8 *w, ray r);
-typedef struct { shadow_ask *ask; const bvh8 *w; const bvh *b; const ray_set *rays; size_t hits; }
-    shadow_pass;
+typedef bool wide_search(const void *built, ray r, hit *out);
+typedef struct { wide_search *hit; const void *built; const ray_set *rays; size_t hits; } wide_pass;
 
-static inline bool shadow_closest(const bvh8 *w, ray r)
+static inline double wide_pass_run(void *context)
 {
+    wide_pass *p = context;
     hit h;
-    return bvh8_hit(w, r, &h);
+    p->hits = 0;
+    for (size_t i = 0; i < p->rays->n; i++) p->hits += p->hit(p->built, p->rays->r[i], &h);
+    return (double)p->hits;
 }
 
-static inline double shadow_run(void *context)
+static inline bool any_two(const void *b, ray r, hit *h) { return (void)h, bvh_occluded(b, r); }
+static inline bool any_wide(const void *w, ray r, hit *h) { return (void)h, bvh8_occluded(w, r); }
+static inline bool any_leaky(const void *w, ray r, hit *h)
 {
-    shadow_pass *p = context;
-    p->hits = 0;
-    for (size_t i = 0; i < p->rays->n; i++)
-        p->hits += p->ask ? p->ask(p->w, p->rays->r[i]) : bvh_occluded(p->b, p->rays->r[i]);
-    return (double)p->hits;
+    return (void)h, bvh8_occluded_leaky(w, r);
 }
 
 /* From where the primary rays hit to a light above. */
@@ -103,29 +103,29 @@ static inline ray_set shadow_rays(const trial_scene *s, const bvh8 *w)
 
 static inline void table_of_shadows(const options *o, const trial_scene *s)
 {
-    static const struct { const char *name; shadow_ask *ask; } list[] = {
-        {"14: two wide", NULL}, {"the closest hit", shadow_closest},
-        {"any hit", bvh8_occluded}, {"leaky", bvh8_occluded_leaky}};
-    enum { n = sizeof list / sizeof *list };
+    enum { n = 4 };
     bvh8 w;
     bvh b;
     failure f;
     if (!bvh8_build(&s->x, bvh8_defaults, &w, &f) || !bvh_build(&s->x, bvh_defaults, &b, &f))
         fail(f);
+    const struct { const char *name; wide_search *ask; const void *built; } list[n] = {
+        {"14: two wide", any_two, &b}, {"the closest hit", bvh8_trial.hit, &w},
+        {"any hit", any_wide, &w}, {"leaky", any_leaky, &w}};
     ray_set rays = shadow_rays(s, &w);
     char title[120];
     snprintf(title, sizeof title, "%zu triangles: %zu rays to a light, one thread",
              s->m.triangles, rays.n);
     table t = table_new(title, "search|rays in shadow|time [ns]");
-    shadow_pass pass[n];
+    wide_pass p[n];
     bench_candidate v[n];
-    for (int i = 0; i < (int)n; i++) {
-        pass[i] = (shadow_pass){list[i].ask, &w, &b, &rays, 0};
-        v[i] = (bench_candidate){.name = list[i].name, .run = shadow_run, .context = &pass[i]};
+    for (int i = 0; i < n; i++) {
+        p[i] = (wide_pass){list[i].ask, list[i].built, &rays, 0};
+        v[i] = (bench_candidate){.name = list[i].name, .run = wide_pass_run, .context = &p[i]};
     }
-    bench_time(v, (int)n, o->quick ? 1 : 15);
-    for (int i = 0; i < (int)n; i++) {
-        table_text(&t, "%s", list[i].name), table_count(&t, pass[i].hits);
+    bench_time(v, n, o->quick ? 1 : 15);
+    for (int i = 0; i < n; i++) {
+        table_text(&t, "%s", list[i].name), table_count(&t, p[i].hits);
         table_number(&t, trial_per(v[i].seconds * 1e9, rays.n));
     }
     output_extra_table(o, &t);
@@ -133,18 +133,6 @@ static inline void table_of_shadows(const options *o, const trial_scene *s)
 }
 
 /* ---------------------------------------------------------------------------------------------- */
-
-typedef bool crack_search(const void *built, ray r, hit *out);
-typedef struct { crack_search *hit; const void *built; const ray_set *rays; } crack_pass;
-
-static inline double crack_run(void *context)
-{
-    crack_pass *p = context;
-    size_t hits = 0;
-    hit h;
-    for (size_t i = 0; i < p->rays->n; i++) hits += p->hit(p->built, p->rays->r[i], &h);
-    return (double)hits;
-}
 
 static inline bool crack_mesh(const void *m, ray r, hit *out) { return mesh_hit(m, r, out); }
 
@@ -169,7 +157,7 @@ static inline void table_of_cracks(const options *o)
     size_t n = o->quick ? 500 : 20000;
     w4.s = first_wide_build(&w4.m);
     if (!bvh8_build(&x, bvh8_defaults, &w, &f) || !bvh_build(&x, bvh_defaults, &b2, &f)) fail(f);
-    const struct { const char *name; crack_search *hit; const void *built; } list[ways] = {
+    const struct { const char *name; wide_search *hit; const void *built; } list[ways] = {
         {"first, four wide", first_wide_trial.hit, &w4}, {"leaky", bvh8_leaky_trial.hit, &w},
         {"watertight", bvh8_trial.hit, &w}, {"14: two wide", two_wide_trial.hit, &b2},
         {"brute force", crack_mesh, &m}};
@@ -178,16 +166,16 @@ static inline void table_of_cracks(const options *o)
         ray_set rays = rays_corners(&m, vec(0.6 * away, 0.5 * away, 0.7 * away), n, o->seed);
         ray_set few = {rays.r, rays.n / 100};
         bench_candidate c[ways];
-        crack_pass pass[ways];
+        wide_pass q[ways];
         for (int i = 0; i < ways; i++) {
-            pass[i] = (crack_pass){list[i].hit, list[i].built, i < all ? &rays : &few};
-            c[i] = (bench_candidate){.name = list[i].name, .run = crack_run, .context = &pass[i]};
+            q[i] = (wide_pass){list[i].hit, list[i].built, i < all ? &rays : &few, 0};
+            c[i] = (bench_candidate){.name = list[i].name, .run = wide_pass_run, .context = &q[i]};
         }
         bench_time(c, ways, o->full ? 5 : 1);
         for (int i = 0; i < ways; i++) {
             size_t due = 0, lost = 0;
-            double error = 0, ns = trial_per(c[i].seconds * 1e9, pass[i].rays->n);
-            for (size_t k = 0; k < pass[i].rays->n; k++) {
+            double error = 0, ns = trial_per(c[i].seconds * 1e9, q[i].rays->n);
+            for (size_t k = 0; k < q[i].rays->n; k++) {
                 hit a, b;
                 if (!bvh8_hit(&w, rays.r[k], &a)) continue;
                 due++;
