@@ -39,19 +39,6 @@ static mesh spiral(size_t n)
     return m;
 }
 
-/* The roundings of common/numbers/float_round.h: tests/float_round.c. */
-static void test_beyond(void)
-{
-    size_t wrong = 0;
-    for (size_t i = 0; i < check_count(400000); i++) {
-        uint64_t bits = random_bits(3, i, 0, 0);
-        real x = ldexp(random_real(4, i, 0, 0) - (real)0.5, (int)(bits % 300) - 160);
-        if (i % 2) x = (real)(float)x;
-        wrong += isfinite(x) && (double)float_beyond(x) <= (double)x;  /* NaN is allowed */
-    }
-    check_equal(wrong, 0, "float_beyond > x, or leaves the plane out");
-}
-
 static bool corner_lost(ray r, vec3 c, bool bare)
 {
     float exit;
@@ -453,7 +440,7 @@ int main(void)
     }
     bvh_mesh none = {.triangle = NULL};
     bvh_mesh_free(&none);
-    return check_all("14_tree", test_beyond, test_owed, test_select, test_depth, test_resident,
-                     test_memory, test_refusals, test_heuristic, test_closed_form, test_reach,
+    return check_all("14_tree", test_owed, test_select, test_depth, test_resident, test_memory,
+                     test_refusals, test_heuristic, test_closed_form, test_reach,
                      test_four_cubes, test_greed_drawn, test_shared_area);
 }

@@ -32,7 +32,7 @@ static bool is_above(float f, real x)
 /* A float, and what lies between it and the next: exactly there, halfway, a hair beside both. */
 static void test_nearest_on_its_side(void)
 {
-    size_t n = check_count(1000000), below = 0, above = 0, between = 0, moved = 0;
+    size_t n = check_count(1000000), below = 0, above = 0, beyond = 0, between = 0, moved = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(1, i, 0);
         float f = any_float(&g), next = nextafterf(f, INFINITY);
@@ -45,11 +45,13 @@ static void test_nearest_on_its_side(void)
         default: break;
         }
         below += !is_below(float_below(x), x), above += !is_above(float_above(x), x);
+        beyond += (real)float_beyond(x) <= x;  /* NaN is allowed */
         between += (real)(float)x != x;
         moved += i % 4 == 3 && (float_below(x) != f || float_above(x) != f);
     }
     check_equal(below, 0, "float_below is the largest float <= x, of %zu", n);
     check_equal(above, 0, "float_above is the smallest float >= x");
+    check_equal(beyond, 0, "float_beyond > x, or it leaves the plane out");
     check_equal(moved, 0, "what is a float stays as it is");
     if (!real_is_float) check_at_least(between, n / 2, "most of them are no floats");
 }
