@@ -20,7 +20,7 @@
 #define WIDE_BUILD_H
 
 #include "../../common/parallel.h"
-#include "tree8.h"
+#include "patch.h"
 
 typedef struct { float of[8]; } bvh8_costs;  /* of 1 to 8 places */
 
@@ -169,7 +169,7 @@ static inline bool bvh8_is_exact(const bvh8 *w)
 
 static inline void bvh8_free(bvh8 *w)
 {
-    free(w->node), free(w->block);
+    free(w->node), free(w->block), free(w->patch);
     *w = (bvh8){.nodes = 0};
 }
 
@@ -206,10 +206,12 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
         && parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
     for (size_t i = 0; whole && i < x->n; i++)
         if (b.item[i].index != no_shape) b.item[b.n++] = b.item[i];
+    if (whole && x->m && b.n <= bvh8_few) bvh8_patches_of(w, b.item, b.n);
     whole = whole && (!b.n || bvh8_make(&b, x->m ? how.leaf : 1, how.threads));
     free(b.item), free(b.node), free(b.pick), free(b.leaves);
     w->held = b.n;
-    w->room.bytes = w->nodes * sizeof *w->node + (x->m ? w->blocks * sizeof *w->block : 0);
+    w->room.bytes = w->nodes * sizeof *w->node + (x->m ? w->blocks * sizeof *w->block : 0)
+        + w->patches * sizeof *w->patch;
     if (whole) return true;
     bool full = w->room.full;
     bvh8_free(w);

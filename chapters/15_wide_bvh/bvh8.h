@@ -12,6 +12,8 @@
  *   bvh8_ask(&w, r, skip, &h, &work)     the four in one (h NULL: any hit; work NULL: not counted),
  *                                        sooner where the caller knows what r can't hit: tree8.h
  *   bvh8_ask_at(&w, &r, skip, &h, &work) of a ray in memory, not written just now: ray8.h says why
+ *   bvh8_ask_row(&w, q, n, any)          of n rays: q[k].met, and unless any is enough q[k].h; of
+ *                                        few triangles eight or sixteen rays at a time: packet.h
  *
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
@@ -36,6 +38,15 @@
 #include "build.h"
 #include "ray8.h"
 
+typedef struct {
+    const ray *r;
+    bvh8_skip skip;
+    hit h;
+    bool met;
+} bvh8_query;
+
+enum { bvh8_packet_least = 3 };  /* rays for which it pays to go together */
+
 #define EIGHT_FILE "../../chapters/15_wide_bvh/walk.h"
 #include "../../common/numbers/dialects.h"
 
@@ -59,6 +70,36 @@ fast_inline bool bvh8_search(const bvh8 *w, ray r, bool any, hit *out, search_wo
 }
 
 STRUCTURE_VERBS(bvh8)
+
+/* q->h, if triangle i of w is nearer; any: whether it is met at all. */
+__attribute__((noinline, flatten))
+static void bvh8_query_settle(const bvh8 *w, uint32_t i, bool any, bvh8_query *q)
+{
+    const uint32_t *corner = w->x.m->index + 3 * (size_t)i;
+    const ray *r = q->r;
+    ray_shear s = shear_along(r, vlongest(r->d));
+    vec3 p[3];
+    hit h;
+    EIGHT_UNROLL
+    for (int k = 0; k < 3; k++) p[k] = shear_corner(&w->x.m->v[corner[k]], &s);
+    if (!shear_passes(p[0], p[1], p[2], &s, *r, &h)) return;
+    h.shape = i;
+    if (any || !q->met || hit_before(h, q->h))
+        q->h.t = h.t, q->h.u = h.u, q->h.v = h.v, q->h.shape = i, q->met = true;
+}
+
+#define EIGHT_FILE "../../chapters/15_wide_bvh/packet.h"
+#include "../../common/numbers/dialects.h"
+
+static inline void bvh8_ask_row(const bvh8 *w, bvh8_query *q, int n, bool any)
+{
+    const int lanes = w->dialect == EIGHT_AVX512 ? 16 : 8;
+    int k = 0;
+    for (; w->patch && n - k >= bvh8_packet_least; k += lanes)
+        EIGHT_CALL(w->dialect, bvh8_packet, w, q + k, n - k < lanes ? n - k : lanes, any);
+    for (; k < n; k++)
+        q[k].met = bvh8_ask_at(w, q[k].r, q[k].skip, any ? NULL : &q[k].h, NULL);
+}
 
 static inline structure_stats bvh8_stats(const bvh8 *w)
 {

@@ -32,6 +32,7 @@ typedef struct {
     union {                                       /* its interval, and what surely lies in it */
         floats4 ends;
         struct { float tmin, limit, sure_min, sure_max; };
+        uint32_t bits[4];
     };
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
     const ray *r;

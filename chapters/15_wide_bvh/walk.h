@@ -133,7 +133,7 @@ EIGHT_INLINE bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_
                      : bvh8_shape(w, at, q) && any) return true;
     next:
         do if (top == stack) return false;
-        while (*--top >> 32 > float_bits(q->limit) && !any);
+        while (*--top >> 32 > q->bits[1] && !any);  /* of the limit */
         at = (uint32_t)*top;
     }
 }

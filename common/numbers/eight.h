@@ -15,6 +15,8 @@
  *
  * An eight_set has a bit a lane, EIGHT_STEP apart: in plain C one in each byte. EIGHT_FIRST(set):
  * its lowest lane; EIGHT_COUNT(set): how many. EIGHT_ROW(p, n): the eight floats n bytes on.
+ * LANES: eight floats, or with AVX-512 sixteen: LANES_N of them, for rows of any length. LANES_MIN,
+ * _MAX, _FMA, _ABS, _ALL likewise; LANES_WHOLE, LANES_ALL_WHOLE of whole numbers.
  * What is written with these is compiled in each dialect by dialects.h: there EIGHT(name) is name_0
  * in plain C, name_1 for AVX2, name_2 for AVX-512, to be called only where the machine has its
  * instructions; EIGHT_CALL(dialect, name, ..) calls one of the three. Plain C compiles for every
@@ -33,6 +35,15 @@ typedef float eight_at __attribute__((vector_size(32), may_alias, aligned(4)));
 typedef int32_t eight_whole __attribute__((vector_size(32)));
 typedef uint32_t eight_count __attribute__((vector_size(32)));
 typedef uint64_t eight_set;
+typedef float sixteen __attribute__((vector_size(64), may_alias));
+typedef int32_t sixteen_whole __attribute__((vector_size(64)));
+typedef uint32_t sixteen_count __attribute__((vector_size(64)));
+typedef eight lanes_0, lanes_1;
+typedef eight_whole lanes_whole_0, lanes_whole_1;
+typedef eight_count lanes_count_0, lanes_count_1;
+typedef sixteen lanes_2;
+typedef sixteen_whole lanes_whole_2;
+typedef sixteen_count lanes_count_2;
 typedef float floats4 __attribute__((vector_size(16)));
 typedef double doubles4 __attribute__((vector_size(32)));
 typedef int32_t whole4 __attribute__((vector_size(16)));
@@ -49,9 +60,11 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 #ifdef __clang__
 #include <immintrin.h>
 #define EIGHT_ONE(gcc, header) header
+#define LANES_ONE(gcc, header, with, plain) ((sixteen)header plain)
 #define EIGHT_LE_MASK(a, b) _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ)
 #else
 #define EIGHT_ONE(gcc, header) __builtin_ia32_##gcc
+#define LANES_ONE(gcc, header, with, plain) ((sixteen)__builtin_ia32_##gcc with)
 #define EIGHT_LE_MASK(a, b) __builtin_ia32_cmpps256_mask(a, b, 18, 255)
 #endif
 #else
@@ -86,6 +99,28 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 #define EIGHT_COUNT(set) ((size_t)__builtin_popcountll(set))
 #define EIGHT_ROW(rows, bytes) (*(const eight *)((const char *)(rows) + (bytes)))
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
+#define LANES EIGHT(lanes)
+#define LANES_WHOLE EIGHT(lanes_whole)
+#define LANES_N (EIGHT_DIALECT == 2 ? 16 : 8)
+#define LANES_ALL(x) EIGHT(LANES_ALL)(x)
+#define LANES_ALL_0(x) EIGHT_ALL(x)
+#define LANES_ALL_1(x) EIGHT_ALL(x)
+#define LANES_ALL_2(x) ((sixteen){x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x})
+#define LANES_ALL_WHOLE(x) ((LANES_WHOLE)LANES_ALL(0.0f) + (x))
+#define LANES_ABS(a) ((LANES)((LANES_WHOLE)(a) & INT32_MAX))
+#define LANES_MIN(a, b) EIGHT(LANES_MIN)(a, b)
+#define LANES_MIN_0(a, b) EIGHT_MIN(a, b)
+#define LANES_MIN_1(a, b) EIGHT_MIN(a, b)
+#define LANES_MIN_2(a, b) LANES_ONE(minps512_mask, _mm512_min_ps, (a, b, a, -1, 4), (a, b))
+#define LANES_MAX(a, b) EIGHT(LANES_MAX)(a, b)
+#define LANES_MAX_0(a, b) EIGHT_MAX(a, b)
+#define LANES_MAX_1(a, b) EIGHT_MAX(a, b)
+#define LANES_MAX_2(a, b) LANES_ONE(maxps512_mask, _mm512_max_ps, (a, b, a, -1, 4), (a, b))
+#define LANES_FMA(a, b, c) EIGHT(LANES_FMA)(a, b, c)
+#define LANES_FMA_0(a, b, c) EIGHT_FMA(a, b, c)
+#define LANES_FMA_1(a, b, c) EIGHT_FMA(a, b, c)
+#define LANES_FMA_2(a, b, c) \
+    LANES_ONE(vfmaddps512_mask, _mm512_fmadd_ps, (a, b, c, -1, 4), (a, b, c))
 #define EIGHT_LOOP(name, ...) name((const eight[]){__VA_ARGS__})
 #define EIGHT_UNROLL _Pragma("GCC unroll 3")
 #define EIGHT_PASTE(name, number) name##_##number

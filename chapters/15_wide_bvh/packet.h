@@ -1,0 +1,150 @@
+/* packet.h: rays side by side (光线包, a ray packet), where triangles are few: a lane a ray. Compiled
+ * once in each dialect, by dialects.h: no guard.
+ *
+ *   void EIGHT(bvh8_packet)(w, q, n, any)     n [1..LANES_N] queries at once, of a w with patches
+ *
+ * One ray against eight triangles waits: for its own beginning, for the end of each step, for a
+ * branch that nobody could foresee. Eight or sixteen rays against one patch (patch.h) after another
+ * wait for nothing: there is no branch. That is linear in the triangles, so it is for few.
+ *
+ * In float, with bounds. Of each half of a patch a row is kept: from where on each ray may meet it;
+ * infinite: surely never. The nearest is asked in `real`, by the test of 04, and then what may
+ * still come before it. u = 2^-24; S is |o.x| + |o.y| + |o.z| in the frame, but at least 1; L is
+ * that of d. MEASURED.md has the sums:
+ *
+ *   edges    e1, e2, D are within b = (20 u size + 256 eps S) S L of what 04 decides by. A half is
+ *            surely missed where its least number is below -B, B = 12 b                     (15.12)
+ *   t        within B (2 / (3 L) + |t|) / |D| where |D| > B; else it may be anywhere        (15.13)
+ *
+ * Source: I. Wald, P. Slusallek, C. Benthin, M. Wagner, "Interactive Rendering with Coherent Ray
+ * Tracing", Computer Graphics Forum 20(3), 2001 (packets).
+ */
+
+/* The rays, a lane each, in the frame of the tree. alone: float can't follow them. */
+typedef struct {
+    LANES o[3], d[3], m[3], tmin, tmax, owed, least, per_L;
+    LANES_WHOLE from, first, others, alone;
+} EIGHT(packet);
+
+/* Each ray's nearest half. */
+typedef struct { LANES at; LANES_WHOLE half; } EIGHT(packet_near);
+
+EIGHT_INLINE void EIGHT(packet_take)(const bvh8 *w, const bvh8_query *q, int k, EIGHT(packet) *p)
+{
+    const ray *r = q->r;
+    floats4 o = floats4_of(frame_into(&w->frame, r->o)), d = floats4_of(r->d);
+    EIGHT_UNROLL
+    for (int i = 0; i < 3; i++) p->o[i][k] = o[i], p->d[i][k] = d[i];
+    p->tmin[k] = (float)(r->tmin * w->frame.scale), p->tmax[k] = (float)(r->tmax * w->frame.scale);
+    p->from[k] = (int32_t)q->skip.from, p->first[k] = (int32_t)q->skip.first;
+    p->others[k] = (int32_t)(q->skip.last - q->skip.first);
+}
+
+/* What follows from that, for all lanes together. */
+EIGHT_INLINE void EIGHT(packet_bounds)(EIGHT(packet) *p)
+{
+    const LANES *o = p->o, *d = p->d;
+    const float eps = (float)real_epsilon;
+    LANES S = LANES_MAX(LANES_ALL(1), LANES_ABS(o[0]) + LANES_ABS(o[1]) + LANES_ABS(o[2]));
+    LANES L = LANES_ABS(d[0]) + LANES_ABS(d[1]) + LANES_ABS(d[2]);
+    p->m[0] = o[1] * d[2] - o[2] * d[1];
+    p->m[1] = o[2] * d[0] - o[0] * d[2];
+    p->m[2] = o[0] * d[1] - o[1] * d[0];
+    p->alone = ~((LANES_WHOLE)(S <= 8) & (LANES_WHOLE)(L >= 0x1p-20f)
+                 & (LANES_WHOLE)(L <= 0x1p20f));
+    p->owed = S * L * (12 * 0x1.4p-20f), p->least = S * S * L * (12 * 256 * eps);
+    p->tmin -= LANES_ABS(p->tmin) * 0x1p-22f + 0x1p-100f;
+    p->tmax += LANES_ABS(p->tmax) * 0x1p-22f + 0x1p-100f;
+    p->per_L = (2 / 3.0f) / L;
+}
+
+/* d . v */
+EIGHT_INLINE LANES EIGHT(packet_dot)(const LANES *d, const float *v, LANES add)
+{
+    LANES sum = LANES_FMA(d[0], LANES_ALL(v[0]), add);
+    sum = LANES_FMA(d[1], LANES_ALL(v[1]), sum);
+    return LANES_FMA(d[2], LANES_ALL(v[2]), sum);
+}
+
+EIGHT_INLINE LANES EIGHT(packet_pick)(LANES_WHOLE which, LANES yes, LANES no)
+{
+    return (LANES)(((LANES_WHOLE)yes & which) | ((LANES_WHOLE)no & ~which));
+}
+
+/* Keeps what a half says: `in` is its least number, negative outside. */
+EIGHT_INLINE LANES EIGHT(packet_half)(const EIGHT(packet) *p, uint32_t index, int half,
+                                      LANES_WHOLE maybe, LANES begin, EIGHT(packet_near) *near)
+{
+    typedef EIGHT(lanes_count) count;
+    LANES_WHOLE out = (LANES_WHOLE)((count)p->from == index)
+        | (LANES_WHOLE)(index - (count)p->first <= (count)p->others);
+    LANES at = EIGHT(packet_pick)(maybe & ~out, begin, LANES_ALL(INFINITY));
+    LANES_WHOLE nearer = (LANES_WHOLE)(at < near->at);
+    near->half = (near->half & ~nearer) | (nearer & half);
+    near->at = LANES_MIN(at, near->at);
+    return at;
+}
+
+/* (15.10) to (15.13). `at`: a row for each half. */
+EIGHT_INLINE void EIGHT(packet_patch)(const bvh8_patch *b, int k, const EIGHT(packet) *p,
+                                      LANES *at, EIGHT(packet_near) *near)
+{
+    const LANES zero = LANES_ALL(0.0f), never = LANES_ALL(INFINITY);
+    LANES det = EIGHT(packet_dot)(p->d, b->n, zero);
+    LANES e1 = EIGHT(packet_dot)(p->m, b->edge[0] + 3, EIGHT(packet_dot)(p->d, b->edge[0], zero));
+    LANES e2 = EIGHT(packet_dot)(p->m, b->edge[1] + 3, EIGHT(packet_dot)(p->d, b->edge[1], zero));
+    LANES to = LANES_ALL(b->to) - EIGHT(packet_dot)(p->o, b->n, zero);
+    LANES B = LANES_FMA(p->owed, LANES_ALL(b->size), p->least);
+    LANES_WHOLE turned = (LANES_WHOLE)det & INT32_MIN;
+    e1 = (LANES)((LANES_WHOLE)e1 ^ turned), e2 = (LANES)((LANES_WHOLE)e2 ^ turned);
+    LANES size = LANES_ABS(det), rest = size - e1 - e2, t = to * (1 / det);
+    LANES error = B * LANES_ABS(1 / det) * (LANES_ABS(t) + p->per_L);
+    LANES_WHOLE edge_on = ~(LANES_WHOLE)(size > B);
+    LANES_WHOLE timely = (LANES_WHOLE)(t - error <= p->tmax) & (LANES_WHOLE)(t + error >= p->tmin);
+    LANES begin = EIGHT(packet_pick)(edge_on, -never, t - error);
+    LANES in = LANES_MIN(LANES_MIN(e1, e2), rest);
+    at[0] = EIGHT(packet_half)(p, b->index[0], 2 * k,
+                               (timely | edge_on) & (LANES_WHOLE)(in >= -B), begin, near);
+    if (b->items == 1) return;
+    in = LANES_MIN(size - LANES_MAX(e1, e2), -rest);
+    at[1] = EIGHT(packet_half)(p, b->index[1], 2 * k + 1,
+                               (timely | edge_on) & (LANES_WHOLE)(in >= -B), begin, near);
+}
+
+/* t in the frame, rather too large. */
+EIGHT_INLINE float EIGHT(packet_limit)(const bvh8 *w, real t)
+{
+    float f = (float)(t * w->frame.scale);
+    return f + fabsf(f) * 0x1p-22f + 0x1p-100f;
+}
+
+EIGHT_TARGET __attribute__((noinline))
+static void EIGHT(bvh8_packet)(const bvh8 *w, bvh8_query *q, int n, bool any)
+{
+    EIGHT(packet) p;
+    EIGHT(packet_near) near = {LANES_ALL(INFINITY), LANES_ALL_WHOLE(-1)};
+    LANES at[2 * bvh8_few], limit = LANES_ALL(-INFINITY);
+    for (int k = 0; k < LANES_N; k++) EIGHT(packet_take)(w, &q[k < n ? k : 0], k, &p);
+    EIGHT(packet_bounds)(&p);
+    for (int k = 0; k < (int)w->patches; k++)
+        EIGHT(packet_patch)(&w->patch[k], k, &p, &at[2 * k], &near);
+    for (int k = 0; k < n; k++) {
+        int half = near.half[k];
+        q[k].met = false;
+        hit *h = any ? NULL : &q[k].h;
+        if (p.alone[k]) q[k].met = EIGHT(bvh8_find)(w, q[k].r, &q[k].skip, h, NULL);
+        if (p.alone[k] || half < 0) continue;
+        bvh8_query_settle(w, w->patch[half / 2].index[half % 2], any, &q[k]);
+        limit[k] = !q[k].met ? FLT_MAX : any ? -INFINITY : EIGHT(packet_limit)(w, q[k].h.t);
+    }
+    LANES_WHOLE may = LANES_ALL_WHOLE(0);  /* how many halves may come before that */
+    for (int k = 0; k < (int)w->patches; k++)
+        for (int h = 0; h < (int)w->patch[k].items; h++)
+            may -= (LANES_WHOLE)(at[2 * k + h] <= limit);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; may[k] > 1 && i < 2 * (int)w->patches; i++) {
+            const bvh8_patch *b = &w->patch[i / 2];
+            if (i % 2 < (int)b->items && i != near.half[k] && at[i][k] <= limit[k])
+                bvh8_query_settle(w, b->index[i % 2], any, &q[k]);
+        }
+}
