@@ -14,6 +14,10 @@
  *   world_left(world_face_of(&w, &x))   only the face of hit x; of a part without an id: none. Who
  *                                     gives two parts one id says that they number alike
  *
+ *   world_find_row(&w, mask, q, n, any)   the same of n rays [0..world_row], each with its `but`:
+ *                                     q[k].met, and unless any is enough q[k].x; a few triangles
+ *                                     are asked by many rays side by side (15)
+ *
  * Equal t: the lower part, then the lower shape wins (hit.h). No part, a NaN: false. x.h.t in units
  * of r.d. Each part is a search of its tree, O(log n) for most scenes.
  */
@@ -37,6 +41,9 @@ typedef struct { uint32_t from_part, from, to_part, first, last; } world_but;
 typedef struct { uint32_t part, item; } world_face;  /* part: its id */
 #define world_no_face ((world_face){no_shape, no_shape})
 #define world_unnamed (no_shape - 1)
+
+enum { world_row = 64 };
+typedef struct { ray *r; world_but but; trace_hit x; bool met; } world_query;
 
 enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
 
@@ -104,6 +111,30 @@ fast_inline bool world_find(const trace_world *w, uint8_t mask, world_but but, r
         met = true, x->part = k, r->tmax = h->t;
     }
     return met;
+}
+
+/* What part k has met, if it is nearer. */
+fast_inline void world_keep(world_query *q, const bvh8_query *b, uint32_t k, bool any)
+{
+    if (!b->met || (q->met && (any || b->h.t == q->r->tmax))) return;  /* the first keeps it */
+    q->met = true;
+    if (any) return;
+    q->x.h.t = b->h.t, q->x.h.u = b->h.u, q->x.h.v = b->h.v, q->x.h.shape = b->h.shape;
+    q->x.part = k, q->r->tmax = b->h.t;
+}
+
+static inline void world_find_row(const trace_world *w, uint8_t mask, world_query *q, int n,
+                                  bool any)
+{
+    bvh8_query b[world_row];
+    for (int i = 0; i < n; i++) q[i].met = false, b[i].r = q[i].r;
+    for (uint32_t k = 0; k < w->parts; k++) {
+        const world_part *p = &w->part[k];
+        if (!(p->mask & mask)) continue;
+        for (int i = 0; i < n; i++) b[i].skip = world_skip(q[i].but, p->id);
+        bvh8_ask_row(&p->tree, b, n, any);
+        for (int i = 0; i < n; i++) world_keep(&q[i], &b[i], k, any);
+    }
 }
 
 #endif

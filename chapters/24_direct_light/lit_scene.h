@@ -247,12 +247,23 @@ fast_inline void lit_found(const lit_scene *s, vec3 d, surface x, size_t place, 
     out->shines = out->emitter != lit_dark && (side < 0 || s->emitter[out->emitter].both);
 }
 
-/* The search alone. A ray that leaves triangle `from` never meets it again (18.10): the search need
- * not ask. */
+/* A ray that leaves triangle `from` never meets it again (18.10): the search need not ask. */
+fast_inline world_but lit_left(uint32_t from)
+{
+    return (world_but){0, from, 0, no_shape, no_shape};
+}
+
+/* Nor does it, up to its end, meet the emitter e that it was sent to. */
+fast_inline world_but lit_left_to(const lit_scene *s, uint32_t from, uint32_t e)
+{
+    bvh8_skip to = e < s->emitters ? s->skip[e] : bvh8_skip_none;
+    return (world_but){0, from, 0, to.first, to.last};
+}
+
+/* The search alone. */
 fast_inline bool lit_find(const lit_scene *s, ray *r, uint32_t from, trace_hit *x)
 {
-    const world_but but = {0, from, 0, no_shape, no_shape};
-    return world_find(&s->world, MASK_ALL, but, r, x);
+    return world_find(&s->world, MASK_ALL, lit_left(from), r, x);
 }
 
 /* What was found. out->s.shape: triangle, or m.triangles + shape. */
@@ -284,13 +295,10 @@ static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
     return lit_trace_from(s, r, no_shape, out);
 }
 
-/* Nor does it, up to its end, meet the emitter e that it was sent to. */
 static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
 {
     ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
-    bvh8_skip to = e < s->emitters ? s->skip[e] : bvh8_skip_none;
-    const world_but but = {0, from, 0, to.first, to.last};
-    return world_find(&s->world, MASK_ALL, but, &own, NULL);
+    return world_find(&s->world, MASK_ALL, lit_left_to(s, from, e), &own, NULL);
 }
 
 static inline vec3 lit_emitted(const lit_hit *h)
