@@ -10,6 +10,7 @@
  *   sampler s = sampler_of_keys(&of, k, n);            the same numbers
  *   point2 pair[sampler_row];
  *   sampler_row_of(&of, k, n, pair);      its first pairs; Sobol's side by side
+ *   sampler_rows_of(of, k, n, pair);      those of sampler_rows pixels, of[i] into pair[i][..]
  *
  *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
  *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
@@ -43,7 +44,7 @@ typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_SOB
                sequence_kinds } sequence_kind;
 static const char *const sequence_name[sequence_kinds] = {"random", "jittered", "Halton",
                                                           "Sobol', Owen"};
-enum { sampler_hashed = 8, sampler_row = 4 };
+enum { sampler_hashed = 8, sampler_row = 4, sampler_rows = 8 };
 typedef struct {
     sequence_kind kind;
     uint64_t own, key, pair[sampler_hashed];
@@ -155,33 +156,51 @@ static inline real sampler_number(sampler *s)
     return jitter_line(s->sample, s->samples, key, &s->own);
 }
 
-/* sampler_sobol of all of them, step by step, each step a vector. */
-static inline void sampler_sobol_row(const sampler_keys *of, uint32_t sample, point2 *pair)
+/* The first pairs of m pixels [1..sampler_rows], all by sampler_sobol, step by step, each step
+ * vectors. */
+fast_inline void sampler_sobol_rows(const sampler_keys *const *of, int m, uint32_t sample,
+                                    point2 *const *pair)
 {
-    enum { n = sampler_row };
-    const uint32_t *a = of->axis[0], *b = of->axis[1], reversed = reversed_bits(sample);
-    uint32_t x[n], y[n];
-    real u[n], v[n];
-    for (int k = 0; k < n; k++)
-        x[k] = reversed_bits(owen_reversed(reversed, (uint32_t)of->pair[k]));
-    x[0] = sample;
+    enum { row = sampler_row, most = sampler_rows * row };
+    const uint32_t reversed = reversed_bits(sample);
+    uint32_t key[most], a[most], b[most], x[most], y[most];
+    real u[most], v[most];
+    for (int i = 0; i < m; i++)
+        for (int k = 0; k < row; k++) {
+            key[row * i + k] = (uint32_t)of[i]->pair[k];
+            a[row * i + k] = of[i]->axis[0][k], b[row * i + k] = of[i]->axis[1][k];
+        }
+    const int n = m * row;
+    for (int k = 0; k < n; k++) x[k] = reversed_bits(owen_reversed(reversed, key[k]));
+    for (int k = 0; k < n; k += row) x[k] = sample;
     for (int k = 0; k < n; k++)
         y[k] = reversed_bits(owen_reversed(sobol_index_of_y(x[k]), b[k]));
     for (int k = 0; k < n; k++) x[k] = reversed_bits(owen_reversed(x[k], a[k]));
     for (int k = 0; k < n; k++) u[k] = real_of_fraction(x[k], a[k]);
     for (int k = 0; k < n; k++) v[k] = real_of_fraction(y[k], b[k]);
-    for (int k = 0; k < n; k++) pair[k] = (point2){u[k], v[k]};
+    for (int k = 0; k < n; k++) pair[k / row][k % row] = (point2){u[k], v[k]};
 }
 
 static inline void sampler_row_of(const sampler_keys *of, uint32_t sample, uint32_t samples,
                                   point2 *pair)
 {
     if (of->kind == SEQUENCE_SOBOL) {
-        sampler_sobol_row(of, sample, pair);
+        sampler_sobol_rows(&of, 1, sample, &pair);
         return;
     }
     sampler s = sampler_of_keys(of, sample, samples);
     for (int k = 0; k < sampler_row; k++) pair[k] = sampler_pair(&s);
+}
+
+/* Of sampler_rows pixels, by one kind of sequence. */
+static inline void sampler_rows_of(const sampler_keys *const *of, uint32_t sample,
+                                   uint32_t samples, point2 *const *pair)
+{
+    if (of[0]->kind == SEQUENCE_SOBOL) {
+        sampler_sobol_rows(of, sampler_rows, sample, pair);
+        return;
+    }
+    for (int i = 0; i < sampler_rows; i++) sampler_row_of(of[i], sample, samples, pair[i]);
 }
 
 #endif
