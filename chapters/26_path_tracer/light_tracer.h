@@ -75,7 +75,8 @@ static inline path_walk light_begin(const light_tracer *t, path_random *s, real 
     vec3 x = emitter_at(e, u, &n);
     if (e->both && random_next(&s->own) < (real)0.5) n = vneg(n);
     surface from = emitter_surface(e, x, n);
-    path_walk w = path_begin(leave(from, directed(n, sample_cosine(v.u, v.v))));
+    path_walk w;
+    path_begin(&w, leave(from, directed(n, sample_cosine(v.u, v.v))));
     real most = real_max(real_max(e->Le.x, e->Le.y), e->Le.z);
     w.beta = vscale(e->Le, 1 / most), *power = most * e->area * pi / chance;
     if (e->both) *power *= 2;

@@ -12,11 +12,11 @@
  *   path_tracer t;
  *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (24.12) or NULL
  *   vec3 L = path_radiance(&t, r, &s, &counts);            s: path_random; counts: {0} at first
- *   path_first p; path_see(&t, r, &p, &counts);            the same in two steps: what r meets,
- *   vec3 L = path_follow(&t, &p, &s, &counts);             and all that follows
+ *   path_begin(&walk[i], r); .. path_row(&t, walk, s, n, &counts);     n paths [1..path_row_most],
+ *                                                          step by step together: L in walk[i]
  *   path_random s = path_start(&t.how, seed, pixel, k, n); sample k of n of a pixel; or, where many
  *   path_pixel p; path_pixel_of(&t.how, seed, pixel, &p);  follow, hashed once a pixel:
- *   path_random s = path_sample(&p, k, n);                 the same numbers
+ *   path_sample(&p, k, n, &s);                             the same numbers; path_samples of many
  *   path_tracer_free(&t)
  *
  * E[L] is the solution of the rendering equation (25.1) along r, whatever t.how says but for
@@ -108,20 +108,37 @@ static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_
     out->own = random_pixel(seed ^ random_step, pixel);
 }
 
-static inline path_random path_sample(const path_pixel *p, uint32_t k, uint32_t n)
+static inline void path_sample(const path_pixel *p, uint32_t k, uint32_t n, path_random *out)
 {
-    path_random r;
-    sampler_row_of(&p->keys, k, n, r.pair);
-    r.own = random_sample(p->own, k), r.used = 0;
-    return r;
+    sampler_row_of(&p->keys, k, n, out->pair);
+    out->own = random_sample(p->own, k), out->used = 0;
+}
+
+/* Of some pixels side by side: each number is a long chain of products, which others needn't wait
+ * for. */
+static inline void path_samples(const path_pixel *p, int pixels, uint32_t k, uint32_t n,
+                                path_random *out)
+{
+    for (int i = 0; i < pixels; i += sampler_rows) {
+        const sampler_keys *of[sampler_rows];
+        point2 *pair[sampler_rows];
+        for (int j = 0; j < sampler_rows; j++) {
+            int at = i + j < pixels ? i + j : pixels - 1;  /* the last one again */
+            of[j] = &p[at].keys, pair[j] = out[at].pair;
+        }
+        sampler_rows_of(of, k, n, pair);
+    }
+    for (int i = 0; i < pixels; i++) out[i].own = random_sample(p[i].own, k), out[i].used = 0;
 }
 
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
                                      uint32_t k, uint32_t n)
 {
     path_pixel p;
+    path_random s;
     path_pixel_of(how, seed, pixel, &p);
-    return path_sample(&p, k, n);
+    path_sample(&p, k, n, &s);
+    return s;
 }
 
 fast_inline point2 path_pair(path_random *r)
@@ -141,19 +158,21 @@ typedef struct {
     const medium *in;            /* of the glass that r is in, or NULL */
     real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
     int bounces;
+    bool asks;                   /* the light sample of this hit: its shadow ray, what that can't */
+    ray shadow;                  /* meet, and the light that comes along it if nothing is there */
+    world_but but;
+    vec3 gain;
 } path_walk;
 
-/* The first ray of a path, and what it meets. */
-typedef struct { ray r; trace_hit h; bool met; } path_first;
+enum { path_row_most = world_row };
 
 /* Field by field, and l in path_light not at all: a struct that is first cleared as a whole waits
- * for it. */
-static inline path_walk path_begin(ray eye)
+ * for it, and one that is handed over is copied. */
+fast_inline void path_begin(path_walk *w, ray eye)
 {
-    path_walk w;
-    w.L = (vec3){0, 0, 0}, w.beta = (vec3){1, 1, 1}, w.r = eye, w.from = eye.o, w.left = no_shape;
-    w.pdf = real_infinity, w.in = NULL, w.squeezed = 1, w.bounces = 0;
-    return w;
+    w->L = (vec3){0, 0, 0}, w->beta = (vec3){1, 1, 1}, w->r = eye, w->from = eye.o;
+    w->left = no_shape, w->pdf = real_infinity, w->in = NULL, w->squeezed = 1, w->bounces = 0;
+    w->asks = false;
 }
 
 static inline vec3 path_cut(vec3 c, real most)
@@ -195,8 +214,8 @@ static inline vec3 path_tint(const lit_hit *x, bool through)
     return through ? x->m->through : x->m->mirror;
 }
 
-/* (26.5), first half. wo is local to f. g: of rough glass, which light may also reach from behind;
- * else NULL. */
+/* (26.5), first half, if its shadow ray meets nothing. wo is local to f. g: of rough glass, which
+ * light may also reach from behind; else NULL. */
 fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
                             shading_frame f, vec3 wo, const rough_glass *g, point2 u,
                             path_counts *c)
@@ -216,7 +235,7 @@ fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x
         c->spent++;
     }
     c->shadow++;
-    if (lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter)) return;
+    w->shadow = lit_draw_ray(&x->s, &l), w->but = lit_left_to(t->scene, x->s.shape, l.emitter);
     real pdf = !t->how.mis ? 0 : g ? rough_glass_pdf(g, wi, wo)
                                    : brdf_pdf_local(x->f, wi, wo);
     vec3 gain = vscale(brings, mis_power(l.pdf, pdf) / l.per);
@@ -224,7 +243,7 @@ fast_inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x
     if (t->glass && in)  /* no wall of it in between: all the way in the glass */
         gain = vmul(gain, absorbed(in->absorb,
                                    l.far ? real_infinity : vlength(vsub(l.s.p, x->s.p))));
-    w->L = vadd(w->L, path_cut(gain, t->how.clamp));
+    w->gain = path_cut(gain, t->how.clamp), w->asks = true;
 }
 
 /* False: the path ends here. */
@@ -352,40 +371,68 @@ fast_inline bool path_at(const path_tracer *t, path_walk *w, bool met, const tra
     return met && path_on(t, w, &x, s, c);
 }
 
+/* One hit further for the n paths walk[at[..]]: their rays first, side by side, then what each hit
+ * brings. How many go on: next[..]. */
+fast_inline int path_steps(const path_tracer *t, path_walk *walk, path_random *s, const int *at,
+                           int n, int *next, path_counts *c)
+{
+    world_query q[path_row_most];
+    int left = 0;
+    for (int i = 0; i < n; i++) q[i].r = &walk[at[i]].r, q[i].but = lit_left(walk[at[i]].left);
+    world_find_row(&t->scene->world, MASK_ALL, q, n, false);
+    for (int i = 0; i < n; i++) {
+        int k = at[i];
+        next[left] = k, left += path_at(t, &walk[k], q[i].met, &q[i].x, &s[k], c);
+    }
+    return left;
+}
+
+/* Then their shadow rays, and the light that comes along them. */
+fast_inline void path_shadows(const path_tracer *t, path_walk *walk, const int *at, int n)
+{
+    world_query q[path_row_most];
+    int of[path_row_most], asks = 0;
+    for (int i = 0; i < n; i++) of[asks] = at[i], asks += walk[at[i]].asks;
+    for (int i = 0; i < asks; i++) q[i].r = &walk[of[i]].shadow, q[i].but = walk[of[i]].but;
+    world_find_row(&t->scene->world, MASK_ALL, q, asks, true);
+    for (int i = 0; i < asks; i++) {
+        path_walk *w = &walk[of[i]];
+        w->asks = false;
+        if (!q[i].met) w->L = vadd(w->L, w->gain);
+    }
+}
+
+/* Of one path. False: it ends. */
 fast_inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
-    trace_hit h;
-    bool met = lit_find(t->scene, &w->r, w->left, &h);
-    return path_at(t, w, met, &h, s, c);
+    int at = 0, next, left = path_steps(t, w, s, &at, 1, &next, c);
+    path_shadows(t, w, &at, 1);
+    return left > 0;
 }
 
-/* Its first ray. Those of neighbouring pixels, one after the other, take the same ways in the tree:
- * render.h searches them in a row, and each path goes on from there. */
-static inline void path_see(const path_tracer *t, ray eye, path_first *p, path_counts *c)
-{
-    p->r = eye, p->met = false;
-    c->paths++;
-    if (t->dark) return;
-    c->camera++;
-    p->met = lit_find(t->scene, &p->r, no_shape, &p->h);
-}
-
+/* Paths know nothing of each other. They wait for each other so that their rays are asked side by
+ * side (15). */
 __attribute__((flatten))
-static inline vec3 path_follow(const path_tracer *t, path_first *p, path_random *s,
-                               path_counts *c)
+static inline void path_row(const path_tracer *t, path_walk *walk, path_random *s, int n,
+                            path_counts *c)
 {
-    path_walk w = path_begin(p->r);
-    bool met = p->met;
-    if (t->dark) return w.L;
-    while (path_at(t, &w, met, &p->h, s, c)) met = lit_find(t->scene, &w.r, w.left, &p->h);
-    return w.L;
+    int at[2][path_row_most];
+    c->paths += (size_t)n;
+    if (t->dark) return;
+    c->camera += (size_t)n;
+    for (int i = 0; i < n; i++) at[0][i] = i;
+    for (int k = 0, left; n > 0; k = !k, n = left) {
+        left = path_steps(t, walk, s, at[k], n, at[!k], c);
+        path_shadows(t, walk, at[k], n);
+    }
 }
 
 static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
-    path_first p;
-    path_see(t, eye, &p, c);
-    return path_follow(t, &p, s, c);
+    path_walk w;
+    path_begin(&w, eye);
+    path_row(t, &w, s, 1, c);
+    return w.L;
 }
 
 #endif

@@ -25,49 +25,67 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A row of a tile: of each of its pixels what all samples share, hashed once, and their sums. */
-typedef struct { path_pixel half[film_side][2]; film_pixel sum[film_side]; } render_row;
+/* Some rows of a tile, of n pixels: places in the film, what all samples of each pixel share,
+ * hashed once, and their sums. */
+enum { render_rows = 4, render_most = render_rows * film_side };
+typedef struct {
+    int n, x[render_most], y[render_most];
+    path_pixel half[2][render_most];
+    film_pixel sum[render_most];
+} render_strip;
 
-/* Sample k of all pixels from (x0, y) to before x1. Their random numbers first: each of them is a
- * long chain of products, and side by side they don't wait for one another. Then what they see. */
-static inline size_t render_samples(const render_job *j, render_row *row, film_window w, int y,
-                                    uint32_t k, path_counts *c)
+_Static_assert((int)render_most <= (int)path_row_most, "a strip's paths go side by side");
+
+static inline size_t render_place(const render_job *j, const render_strip *p, int i)
 {
-    path_random s[film_side];
-    path_first p[film_side];
+    return (size_t)p->y[i] * (size_t)j->pass.to->width + (size_t)p->x[i];
+}
+
+/* Rows y to y + render_rows - 1, as far as the tile goes. */
+static inline void render_begin(const render_job *j, film_window w, int y, render_strip *p)
+{
+    const film_range now = j->pass.now;
+    p->n = 0;
+    for (int row = y; row < y + render_rows && row < w.y1; row++)
+        for (int x = w.x0; x < w.x1; x++) p->x[p->n] = x, p->y[p->n++] = row;
+    for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
+        for (int i = 0; i < p->n; i++)
+            path_pixel_of(&j->tracer->how, j->seed, 2 * render_place(j, p, i) + k % 2,
+                          &p->half[k % 2][i]);
+    memset(p->sum, 0, (size_t)p->n * sizeof *p->sum);
+}
+
+/* Sample k of all pixels. */
+static inline size_t render_samples(const render_job *j, render_strip *p, uint32_t k,
+                                    path_counts *c)
+{
+    path_random s[render_most];
+    path_walk walk[render_most];
     size_t refused = 0;
     const film *f = j->pass.to;
-    for (int i = 0; i < w.x1 - w.x0; i++)
-        s[i] = path_sample(&row->half[i][k % 2], k / 2, 1u << 31);
-    for (int i = 0; i < w.x1 - w.x0; i++) {
+    path_samples(p->half[k % 2], p->n, k / 2, 1u << 31, s);
+    for (int i = 0; i < p->n; i++) {
         point2 u = path_pair(&s[i]);
-        ray eye = camera_ray(j->eye, (real)(w.x0 + i) + u.u, (real)y + u.v, f->width, f->height);
-        path_see(j->tracer, eye, &p[i], c);
+        path_begin(&walk[i], camera_ray(j->eye, (real)p->x[i] + u.u, (real)p->y[i] + u.v,
+                                        f->width, f->height));
     }
-    for (int i = 0; i < w.x1 - w.x0; i++) {
-        vec3 L = path_follow(j->tracer, &p[i], &s[i], c);
-        refused += !film_pixel_add(&row->sum[i], k, L);
-    }
+    path_row(j->tracer, walk, s, p->n, c);
+    for (int i = 0; i < p->n; i++) refused += !film_pixel_add(&p->sum[i], k, walk[i].L);
     return refused;
 }
 
-/* A row of a tile; how many pixels it has: 0 if it was stopped before its last sample. */
-static inline int render_line(const render_job *j, film_window w, int y, path_counts *c,
-                              size_t *refused)
+/* From row y on; how many pixels are done: none if it was stopped before its last sample. */
+static inline int render_rows_of(const render_job *j, film_window w, int y, path_counts *c,
+                                 size_t *refused)
 {
-    render_row row;
-    const film_range now = j->pass.now;
-    size_t at = (size_t)y * (size_t)j->pass.to->width + (size_t)w.x0, n = (size_t)(w.x1 - w.x0);
-    for (uint32_t k = now.begin; k < now.end && k < now.begin + 2; k++)  /* one sample: one half */
-        for (size_t i = 0; i < n; i++)
-            path_pixel_of(&j->tracer->how, j->seed, 2 * (at + i) + k % 2, &row.half[i][k % 2]);
-    memset(row.sum, 0, n * sizeof *row.sum);
-    for (uint32_t k = now.begin; k < now.end; k++) {
+    render_strip p;
+    render_begin(j, w, y, &p);
+    for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
         if (parallel_is_stopped()) return 0;
-        *refused += render_samples(j, &row, w, y, k, c);
+        *refused += render_samples(j, &p, k, c);
     }
-    for (size_t i = 0; i < n; i++) film_gather(j->pass.to, at + i, &row.sum[i]);
-    return w.x1 - w.x0;
+    for (int i = 0; i < p.n; i++) film_gather(j->pass.to, render_place(j, &p, i), &p.sum[i]);
+    return p.n;
 }
 
 static inline void render_tile(size_t tile, void *job)
@@ -77,8 +95,8 @@ static inline void render_tile(size_t tile, void *job)
     path_counts c = {0};
     size_t refused = 0;
     film_window w = film_window_of(f, tile);
-    for (int y = w.y0; y < w.y1; y++)
-        f->done[tile] = (uint16_t)(f->done[tile] + render_line(j, w, y, &c, &refused));
+    for (int y = w.y0; y < w.y1; y += render_rows)
+        f->done[tile] = (uint16_t)(f->done[tile] + render_rows_of(j, w, y, &c, &refused));
     pthread_mutex_lock(&j->pass.lock);
     path_counts_add(&j->counts, &c);
     j->refused += refused;

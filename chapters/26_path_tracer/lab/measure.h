@@ -107,7 +107,8 @@ static inline size_t measure_render(const measure_place *m, shot *s, const strat
         for (uint64_t k = 0; k < 2; k++)
             path_pixel_of(&y->how, s->j.seed, 2 * (uint64_t)i + k, &half[k]);
         for (uint32_t k = 0; k < samples; k++) {
-            path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
+            path_random r;
+            path_sample(&half[k % 2], k / 2, 1u << 31, &r);
             sampler own = sampler_of_keys(&half[k % 2].keys, k / 2, 1u << 31);
             point2 u = path_pair(&r);
             own.pair = 1;

@@ -121,7 +121,8 @@ static inline void light_job(size_t job, void *context)
     path_pixel p;
     path_pixel_of(&path_defaults, l->seed, job, &p);
     for (uint32_t k = 0; k < l->paths; k++) {
-        path_random s = path_sample(&p, k, 1u << 31);
+        path_random s;
+        path_sample(&p, k, 1u << 31, &s);
         light_path(l->t, &s, &l->sum[job]);
     }
 }

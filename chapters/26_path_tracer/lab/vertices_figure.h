@@ -42,8 +42,9 @@ cold_inline void vertices_light(const path_tracer *t, const path_walk *w, const 
 /* The path of an eye's ray, by the numbers s. */
 cold_inline path_seen vertices_of(const path_tracer *t, ray eye, path_random s)
 {
-    path_seen p = {.n = 0, .end = path_begin(eye)};
+    path_seen p = {.n = 0};
     path_walk *w = &p.end;
+    path_begin(w, eye);
     for (bool on = true; on && p.n < vertices_most;) {
         lit_hit x = {.m = NULL};
         path_counts c = {0};
