@@ -55,7 +55,7 @@ static estimate light_apart(const pair *q, size_t n, double *mean)
         effects_counts c = {.lost = 0};
         real x = random_between(&at, 0, w), y = random_between(&at, 0, h);
         ray r = camera_ray(q->full.e.eye, x, y, w, h);
-        vec3 L = full(&q->full.e, r, (media_set){0}, &throws, &c);
+        vec3 L = effects_alone(full, &q->full.e, r, (media_set){0}, &throws, &c);
         first_camera eye = first_camera_at(v->from, v->at, v->up, v->angle, w, h);
         vec3 F = first_planned(&q->f, &p, first_ray_unit(first_camera_ray(eye, x, y)), true,
                                first_row_depth, &random);

@@ -269,7 +269,7 @@ static void test_alone(void)
         ray up = ray_from((vec3){0, 0, 3}, (vec3){0, 1, 0});
         effects_stage_effects(&q.e, way[k]);
         media_set in = bodies_around(&q.e, (vec3){0, 0, 0}, NULL);
-        vec3 L = effects_made_for(way[k])(&q.e, up, in, &d, &c);
+        vec3 L = effects_alone(effects_made_for(way[k]), &q.e, up, in, &d, &c);
         check_equal(L.x, k ? 0 : 1, "sky, begun in fog, with refraction: %d", k);
     }
     tear_down(&q);
@@ -496,7 +496,8 @@ static void test_rough_point(void)
             exact *= (double)rough_glass_value(&g, wi, wo) * exp(-0.3 * (seen + (under ? way : 0)));
             dice d = dice_start(1, k, 0);
             effects_counts c = {.lost = 0};
-            vec3 L = effects_made_for(q.e.mask)(&q.e, from, bodies_around(&q.e, eye, NULL), &d, &c);
+            vec3 L = effects_alone(effects_made_for(q.e.mask), &q.e, from,
+                                   bodies_around(&q.e, eye, NULL), &d, &c);
             worst = check_worse(worst, fabs((double)L.x - exact) / (exact + 1e-3));
         }
         check_at_most(worst, 1e4 * (double)real_epsilon, "eye %s, light %s, %s: relative error",

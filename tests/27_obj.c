@@ -96,7 +96,7 @@ static block_light block_by_27(const effects_stage *e, int block, size_t n)
     effects_counts c = {.lost = 0};
     for (size_t k = 0; k < n; k++) {
         dice d = dice_start(72, (uint64_t)block * n + k, 0);
-        block_add(&b, f(e, block_ray(block, 71, k), (media_set){0}, &d, &c));
+        block_add(&b, effects_alone(f, e, block_ray(block, 71, k), (media_set){0}, &d, &c));
     }
     check_equal(c.lost, 0, "bodies lost");
     return b;

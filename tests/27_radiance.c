@@ -31,8 +31,8 @@ static void test_special(void)
             dice d = dice_start(1, (uint64_t)i, 0);
             effects_counts c = {.lost = 0};
             ray r = camera_ray(q.e.eye, (real)(i % 20), (real)(i / 20), 20, 15);
-            vec3 a = own(&q.e, r, (media_set){0}, &d, &c);
-            vec3 b = effects_general(&q.e, r, (media_set){0}, &d, &c);
+            vec3 a = effects_alone(own, &q.e, r, (media_set){0}, &d, &c);
+            vec3 b = effects_alone(effects_general, &q.e, r, (media_set){0}, &d, &c);
             bad += memcmp(&a, &b, sizeof a) != 0;
         }
         check(bad == 0, "mask %x: %zu of 300 rays differ from the general function", masks[k], bad);
@@ -202,7 +202,7 @@ static size_t contacts_of(const char *text)
     for (int i = 0; i < 40 * 30; i++) {
         dice d = {.own = 0};
         ray r = camera_ray(q.e.eye, (real)(i % 40), (real)(i / 40), 40, 30);
-        effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
+        effects_alone(effects_made_for(q.e.mask), &q.e, r, (media_set){0}, &d, &c);
     }
     check_at_least(c.rays[RAY_REFRACTED], 500, "rays in glass");
     tear_down(&q);
@@ -241,7 +241,7 @@ static void test_ends(void)
         real x = (real)some(&s, -9, 9), tilt = (real)some(&s, 0, 1e-3);
         vec3 o = {x, (real)-0.164628 + tilt * (real)some(&s, 0, 1), (real)some(&s, -9, -8)};
         ray r = ray_from(o, vunit(vec(0.37, -tilt, -0.93)));
-        effects_general(&q.e, r, (media_set){0}, &d, &c);
+        effects_alone(effects_general, &q.e, r, (media_set){0}, &d, &c);
     }
     check_at_least(c.rays[RAY_OF_EYE], check_count(20000), "rays");
     tear_down(&q);
@@ -475,7 +475,7 @@ static int without_pairs(const char *text, bool *chance)
             effects_counts c = {.lost = 0};
             dice_pixel_of(1, i, k == 0, &of);
             dice d = dice_sample(&of, i / 300);
-            L[k] = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
+            L[k] = effects_alone(effects_made_for(q.e.mask), &q.e, r, (media_set){0}, &d, &c);
         }
         differ += memcmp(&L[0], &L[1], sizeof L[0]) != 0;
     }

@@ -51,7 +51,8 @@ static inline vec3 seen_along(set *q, ray r)
     if (!q->e.chance) effects_stage_cut(&q->e, (real)1 / 512);
     dice d = dice_start(1, 1, 0);
     effects_counts c = {.lost = 0};
-    return effects_made_for(q->e.mask)(&q->e, r, bodies_around(&q->e, r.o, NULL), &d, &c);
+    return effects_alone(effects_made_for(q->e.mask), &q->e, r, bodies_around(&q->e, r.o, NULL), &d,
+                         &c);
 }
 
 /* A wall in the sun, looked at past what follows; glass and water. */
@@ -97,7 +98,7 @@ static inline void along(const effects_stage *e, size_t n, estimate out[3])
         dice d = dice_start(9, i, 0);
         effects_counts c = {.lost = 0};
         ray r = camera_ray(e->eye, 8, 6, 16, 12);
-        vec3 L = f(e, r, bodies_around(e, r.o, NULL), &d, &c);
+        vec3 L = effects_alone(f, e, r, bodies_around(e, r.o, NULL), &d, &c);
         for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
     }
 }
@@ -132,7 +133,7 @@ static inline estimate mean_along(const set *q, ray r, uint64_t seed, size_t n)
     size_t bad = 0;
     for (size_t i = 0; i < n; i++) {
         dice d = dice_start(seed, i, 0);
-        vec3 L = f(&q->e, r, in, &d, &c);
+        vec3 L = effects_alone(f, &q->e, r, in, &d, &c);
         bad += !(vfinite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
         m = estimate_add(m, (double)(L.x + 2 * L.y + 4 * L.z) / 7);
     }

@@ -1,6 +1,9 @@
 /* radiance.h: the light that comes along a ray, from ray casting to path tracing, as one function.
  *
- *   vec3 L = effects_radiance(e, r, in, mask, dice, counts)     always inlined
+ *   effects_path p = {.r = the eye's ray, .in = bodies that it begins in, .d = dice};
+ *   effects_see(e, &p);                                what that meets; of neighbours in a row,
+ *                                                      since these take the same ways in the tree
+ *   vec3 L = effects_radiance(e, &p, mask, counts)     always inlined
  *
  * `mask` says which effects are simulated. Where the caller writes a constant (special.h), the
  * compiler drops all that belongs to the others.
@@ -217,14 +220,16 @@ static bool effects_cross(const effects_stage *e, bool always, branch *b, effect
     return false;
 }
 
-/* One ray: adds what it brings to *sum; how many children. Structs are read and written field by
- * field: as effects_child. */
-fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
-                             branch child[4], const dice *d, effects_counts *c)
+/* One ray, which has found *there or nothing: adds what it brings to *sum; how many children.
+ * Structs are read and written field by field: as effects_child. */
+fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, bool found,
+                             const studio_hit *there, vec3 *sum, branch child[4], const dice *d,
+                             effects_counts *c)
 {
-    studio_hit x;
+    const hit *t = &there->h;
+    studio_hit x = {{t->t, t->u, t->v, t->shape}, there->place};
     c->rays[b->kind]++;
-    if (!studio_tree_hit_but(&e->t, &b->r, studio_but(b->left, studio_no_face), &x)) {
+    if (!found) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
@@ -248,7 +253,8 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
         real way = x.h.t - b->r.tmin;  /* nothing before that: `hither` */
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, way));           /* (19.9) */
     }
-    const vec3 basic = vscale(b->weight, 1 / gather_square(e, mask, &b->in));
+    const real n1 = e->media[inside].ior;  /* of air, 1, where nobody knows */
+    const vec3 basic = vscale(b->weight, 1 / (n1 * n1));
     real turn = vdot(h.s.n, b->r.d) > 0 ? -1 : 1;  /* surface_facing */
     h.s.n = vscale(h.s.n, turn), h.s.ns = vscale(h.s.ns, turn);
     h.flat = studio_flat_face(&e->t, x);
@@ -289,25 +295,41 @@ fast_inline int effects_step(const effects_stage *e, const unsigned mask, branch
     return n;
 }
 
+/* A path: its ray in hand, and what that has met; the bodies that it began in. */
+typedef struct {
+    ray r;
+    studio_hit x;
+    bool met;
+    media_set in;
+    dice d;
+} effects_path;
+
+static inline void effects_see(const effects_stage *e, effects_path *p)
+{
+    p->r = ray_unit(p->r);
+    p->met = studio_tree_hit_but(&e->t, &p->r, world_but_none, &p->x);
+}
+
 /* The children of a hit are written beside it, so that the next is at hand without being copied. Of
  * each level at most three wait, and all together weigh, on average, no more than the eye's ray:
  * what would be one too many is dropped. */
-fast_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
-                                  const unsigned mask, const dice *d, effects_counts *c)
+fast_inline vec3 effects_radiance(const effects_stage *e, effects_path *p, const unsigned mask,
+                                  effects_counts *c)
 {
     branch stack[stage_most_waiting], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
-    b->r = ray_unit(eye), b->weight = (vec3){1, 1, 1}, b->in = in, b->pdf = real_infinity;
+    b->r = p->r, b->weight = (vec3){1, 1, 1}, b->in = p->in, b->pdf = real_infinity;
     b->cosine = 1, b->way = 0, b->kind = RAY_OF_EYE, b->depth = 1, b->passed = 0, b->node = 0;
     b->left = studio_no_face, b->bounced = false;
     for (;;) {
-        int n = effects_step(e, mask, b, &sum, slot[other], d, c);
+        int n = effects_step(e, mask, b, p->met, &p->x, &sum, slot[other], &p->d, c);
         for (int i = 0; i + 1 < n && top < stage_most_waiting; i++)
             stack[top++] = slot[other][i];
-        if (n + top == 0) return vscale(sum, gather_square(e, mask, &in));
+        if (n + top == 0) return vscale(sum, gather_square(e, mask, &p->in));
         b = n ? &slot[other][n - 1] : &stack[--top];
         other ^= n > 0;
+        p->met = studio_tree_hit_but(&e->t, &b->r, studio_but(b->left, studio_no_face), &p->x);
     }
 }
 

@@ -511,7 +511,7 @@ static inline hard_count plates(int k, real x)
                 effects_counts count = {.lost = 0};
                 dice_pixel_of(hard_seed, i, true, &of);
                 dice d = dice_sample(&of, t);
-                vec3 L = effects_made_for(e.mask)(&e, r, (media_set){0}, &d, &count);
+                vec3 L = effects_alone(effects_made_for(e.mask), &e, r, (media_set){0}, &d, &count);
                 seen = estimate_add(seen, (double)L.y);
             }
             *(j ? &c.now : &c.first) += hard_off(seen, 1);

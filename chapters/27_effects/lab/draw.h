@@ -73,7 +73,7 @@ static inline media_set draw_in(const drawing *j, ray r, effects_counts *c)
     const effects_stage *e = j->e;
     vec3 begin = ray_at(r, r.tmin), eye = e->eye.e;
     const aabb between = {vmin(eye, begin), vmax(eye, begin)};
-    if (aabb_is_empty(aabb_overlap(between, e->glass)) || vzero(vsub(begin, eye)))
+    if (vzero(vsub(begin, eye)) || aabb_is_empty(aabb_overlap(between, e->glass)))
         return j->around;
     return bodies_from(e, eye, j->around, begin, c);
 }
@@ -86,22 +86,38 @@ static inline void draw_refuse(const drawing *j)
             "(single sheets are for illum 4 or 9)", media_most, media_most_faces);
 }
 
-/* The samples of a pass, of one pixel; false: stopped before the last. */
-static inline bool draw_pixel(const drawing *j, effects_function *f, int x, int y, film_pixel *out,
-                              effects_counts *c)
+/* Sample k of a row of n pixels from (x, y) on. */
+static inline void draw_sample(const drawing *j, effects_function *f, const dice_pixel *of, int x,
+                               int y, int n, uint32_t k, film_pixel *sum, effects_counts *c)
 {
-    film_pixel sum = {{{{{0, 0}}}}};
-    uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
-    dice_pixel of;
-    dice_pixel_of(j->seed, i, !j->middle, &of);
-    for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
-        if (parallel_is_stopped()) return false;
-        dice d = dice_sample(&of, k);
-        ray r = draw_ray(j, x, y, &d);
+    effects_path path[film_side];
+    for (int i = 0; i < n; i++) {
+        effects_path *p = &path[i];
+        p->d = dice_sample(&of[i], k);
+        p->r = draw_ray(j, x + i, y, &p->d);
+        p->in = draw_in(j, p->r, c);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
-        film_pixel_add(&sum, k, f(j->e, r, draw_in(j, r, c), &d, c));
     }
-    return *out = sum, true;
+    for (int i = 0; i < n; i++) effects_see(j->e, &path[i]);
+    for (int i = 0; i < n; i++) film_pixel_add(&sum[i], k, f(j->e, &path[i], c));
+}
+
+/* The samples of a pass, of a row of a tile; how many pixels: none if it was stopped. */
+static inline int draw_row(const drawing *j, effects_function *f, film_window w, int y,
+                           effects_counts *c)
+{
+    film_pixel sum[film_side];
+    dice_pixel of[film_side];
+    const int n = w.x1 - w.x0;
+    size_t at = (size_t)y * (size_t)j->width + (size_t)w.x0;
+    for (int i = 0; i < n; i++) dice_pixel_of(j->seed, at + (size_t)i, !j->middle, &of[i]);
+    memset(sum, 0, sizeof sum);
+    for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
+        if (parallel_is_stopped()) return 0;
+        draw_sample(j, f, of, w.x0, y, n, k, sum, c);
+    }
+    for (int i = 0; i < n; i++) film_gather(j->pass.to, at + (size_t)i, &sum[i]);
+    return n;
 }
 
 static inline void draw_tile(size_t tile, void *context)
@@ -112,12 +128,7 @@ static inline void draw_tile(size_t tile, void *context)
     film *to = j->pass.to;
     film_window w = film_window_of(to, tile);
     for (int y = w.y0; y < w.y1; y++)
-        for (int x = w.x0; x < w.x1; x++) {
-            film_pixel sum;
-            if (!draw_pixel(j, f, x, y, &sum, &c)) continue;  /* nor will those that follow */
-            film_gather(to, (size_t)y * (size_t)to->width + (size_t)x, &sum);
-            to->done[tile]++;
-        }
+        to->done[tile] = (uint16_t)(to->done[tile] + draw_row(j, f, w, y, &c));
     pthread_mutex_lock(&j->pass.lock);
     effects_counts_add(&j->counts, &c), draw_refuse(j);
     pthread_mutex_unlock(&j->pass.lock);
