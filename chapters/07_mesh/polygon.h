@@ -171,10 +171,11 @@ static inline bool polygon_hit_sheared(const polygon *p, const ray_shear *s, ray
 {
     if (p->n < 3) return false;
     bool odd = false, touched = false;
-    vec3 a = shear_corner(&p->v[p->n - 1], s);
+    const vec3 first = shear_corner(&p->v[0], s);
+    vec3 a = first;
     real near = a.z, far = a.z, least = real_infinity, sum = 0;
-    for (uint32_t i = 0; i < p->n; i++) {
-        vec3 b = shear_corner(&p->v[i], s);
+    for (uint32_t i = 1; i <= p->n; i++) {
+        vec3 b = i < p->n ? shear_corner(&p->v[i], s) : first;
         real e = a.x * b.y - a.y * b.x;  /* edge_of without a branch: each would be a coin toss */
         bool up = b.y > 0;
         odd ^= ((a.y > 0) != up) & ((e > 0) == up);
