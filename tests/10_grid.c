@@ -3,7 +3,7 @@
 #include "../chapters/09_aabb/trials/pictures.h"
 #include "../chapters/10_grid/lab/drift.h"
 #include "../chapters/10_grid/lab/naive.h"
-#include "../chapters/10_grid/nested.h"
+#include "../chapters/10_grid/trials/nested.h"
 #include "structure.h"
 
 static grid_options how;

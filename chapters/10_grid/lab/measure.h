@@ -12,7 +12,7 @@
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
 #include "../first.h"
-#include "../nested.h"
+#include "../trials/nested.h"
 #include "drift.h"
 
 TRIAL_VERBS(grid, grid, grid_hit, grid_hit_counted)

@@ -11,7 +11,7 @@
 #include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
-#include "../../10_grid/nested.h"
+#include "../../10_grid/trials/nested.h"
 #include "../first.h"
 #include "../octree.h"
 #include "variants.h"

@@ -15,7 +15,7 @@
 #ifndef COMPARE_LAB_CELLS_H
 #define COMPARE_LAB_CELLS_H
 
-#include "../../10_grid/nested.h"
+#include "../../10_grid/trials/nested.h"
 #include "../../11_octree/octree.h"
 #include "../../12_kdtree/kdtree.h"
 #include "../../13_bsp/bsp.h"

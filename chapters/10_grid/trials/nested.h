@@ -23,7 +23,7 @@
 #ifndef GRID_NESTED_H
 #define GRID_NESTED_H
 
-#include "grid.h"
+#include "../grid.h"
 
 typedef struct {
     double outer, inner;  /* cells an item: outer grid; cell of the outer grid. 1e-6 to 1e6 */
