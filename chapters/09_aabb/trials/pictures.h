@@ -24,8 +24,8 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
-#include "../view_work.h"
 #include "bench.h"
+#include "view_work.h"
 
 typedef struct {
     const trial_verbs *verbs;

@@ -8,7 +8,7 @@
 #define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
-#include "../../09_aabb/view_work.h"
+#include "../../09_aabb/trials/view_work.h"
 #include "../../24_direct_light/files/environment_read.h"
 #include "../files/long_run.h"
 #include "showcase.h"

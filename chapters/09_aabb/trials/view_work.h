@@ -12,8 +12,8 @@
 #ifndef AABB_VIEW_WORK_H
 #define AABB_VIEW_WORK_H
 
-#include "../02_camera/camera.h"
-#include "structure.h"
+#include "../../02_camera/camera.h"
+#include "../structure.h"
 
 typedef bool view_asker(const void *built, ray r, hit *out, search_work *w);
 enum { view_side = 16, view_usual = 100 };
