@@ -17,7 +17,7 @@
 #define PATH_LONG_RUN_H
 
 #include "../../../common/output.h"
-#include "../passes.h"
+#include "goal.h"
 #include "state.h"
 
 typedef struct {
