@@ -15,7 +15,6 @@
  *   double e = film_error(&f)             the RMSE (26.7) of film_picture, of linear radiance, all
  *                                         pixels and channels; infinity with fewer than 2 samples
  *   image im = film_picture(&f)
- *   film_join(&f, &other, &why)           adds the samples of other: exact, so parts = whole
  *   film_free(&f)
  *
  * (26.7) needs no assumption on how samples are spread within a half: it holds for Sobol's points,
@@ -147,19 +146,6 @@ static inline bool film_cover(film *f, uint32_t begin, uint32_t end, failure *wh
         if (f->range[last].end == f->range[i].begin) f->range[last].end = f->range[i].end;
         else f->range[++last] = f->range[i];
     f->ranges = last + 1;
-    return true;
-}
-
-static inline bool film_join(film *to, const film *f, failure *why)
-{
-    if (to->width != f->width || to->height != f->height)
-        return failed(why, 2, "%dx%d pixels do not fit on %dx%d", f->width, f->height, to->width,
-                      to->height);
-    for (int i = 0; i < f->ranges; i++)
-        if (!film_cover(to, f->range[i].begin, f->range[i].end, why)) return false;
-    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
-        for (int k = 0; k < 6; k++)
-            tally_join(&to->half[k / 3][i].of[k % 3], &f->half[k / 3][i].of[k % 3]);
     return true;
 }
 

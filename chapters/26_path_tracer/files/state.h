@@ -3,6 +3,7 @@
  *   state_write(path, &f, settings, &why)
  *   state_read(path, &f, settings, &why)       settings: text[state_settings]; "" on entry: takes
  *                                              those of the file; else they must be the same
+ *   film_join(&f, &other, &why)                adds the samples of other: exact, so parts = whole
  *
  *   26_path_tracer state 1             text: what it is
  *   scene cornell                      settings: lines `name value`, all that a sample's value
@@ -174,6 +175,19 @@ static inline bool state_read(const char *path, film *out, char settings[state_s
     if (!ok) film_free(out);
     free(text);
     return ok;
+}
+
+static inline bool film_join(film *to, const film *f, failure *why)
+{
+    if (to->width != f->width || to->height != f->height)
+        return failed(why, 2, "%dx%d pixels do not fit on %dx%d", f->width, f->height, to->width,
+                      to->height);
+    for (int i = 0; i < f->ranges; i++)
+        if (!film_cover(to, f->range[i].begin, f->range[i].end, why)) return false;
+    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
+        for (int k = 0; k < 6; k++)
+            tally_join(&to->half[k / 3][i].of[k % 3], &f->half[k / 3][i].of[k % 3]);
+    return true;
 }
 
 #endif
