@@ -4,7 +4,7 @@
 #include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/07_mesh/scenes/motion.h"
 #include "../chapters/09_aabb/trials/aimed.h"
-#include "../chapters/14_bvh/refit.h"
+#include "../chapters/14_bvh/trials/refit.h"
 #include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"

@@ -9,7 +9,7 @@
  *
  * Motion (motion.h): a teapot is twisted in 60 frames, and there are four ways to keep its BVH:
  * built anew by the heuristic or by Morton codes, refitted, refitted with rotations
- * (14_bvh/refit.h). In every frame all four are held against each other, ray by ray, before
+ * (14_bvh/trials/refit.h). In every frame all four are held against each other, ray by ray, before
  * anything is timed. A frame of k rays takes b + k c (17.8), where b is now paid each frame.
  */
 #ifndef COMPARE_LAB_REGIMES_H
@@ -17,7 +17,7 @@
 
 #include "../../07_mesh/scenes/motion.h"
 #include "../../07_mesh/scenes/named.h"
-#include "../../14_bvh/refit.h"
+#include "../../14_bvh/trials/refit.h"
 #include "costs.h"
 
 enum { order_chunk = 256, order_rounds = 7, order_times = 4, motion_frames = 60, motion_last = 10 };

@@ -30,7 +30,7 @@
 #ifndef BVH_REFIT_H
 #define BVH_REFIT_H
 
-#include "bvh_mesh.h"
+#include "../bvh_mesh.h"
 
 typedef struct { bvh_mesh *b; const mesh *m; bool rotate; size_t rotations; } bvh_refit;
 typedef struct { int all, of[2]; } refit_height;  /* levels below a node, and below its children */
