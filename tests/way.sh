@@ -1,5 +1,5 @@
 #!/bin/sh
-# A ray's way through 26: the files whose functions path_start (a sample's random numbers) and path_radiance
+# A ray's way through 26: the files whose functions path_start (a sample's random numbers) and path_row
 # enter, and what these enter in turn, in a scene: `sh tests/way.sh` lists them. In the Cornell box 25 at most; all are named in 26's MEASURED.md,
 # and it names no other. (gcc -finstrument-functions; addr2line says where a function is.)
 . tests/check.sh
@@ -28,12 +28,16 @@ int main(int argc, char **argv)
     path_counts n = {0};
     if (argc != 2 || !showcase_of(argv[1], 1, &c, &f)) return 1;
     path_tracer_of(&c.s, showcase_sky(&c), path_defaults, &t);
-    for (int i = 0; i < 32 * 32; i++) {
-        inside = true;
-        path_random s = path_start(&t.how, 1, (uint64_t)i, 0, 1);
-        inside = false;
-        ray r = camera_ray(c.eye, (real)(i % 32), (real)(i / 32), 32, 32);
-        path_pair(&s), inside = true, path_radiance(&t, r, &s, &n), inside = false;
+    for (int y = 0; y < 32; y++) {
+        path_random s[32];
+        path_walk walk[32];
+        for (int x = 0; x < 32; x++) {
+            inside = true;
+            s[x] = path_start(&t.how, 1, (uint64_t)(32 * y + x), 0, 1);
+            inside = false;
+            path_pair(&s[x]), path_begin(&walk[x], camera_ray(c.eye, (real)x, (real)y, 32, 32));
+        }
+        inside = true, path_row(&t, walk, s, 32, &n), inside = false;
     }
     return 0;
 }
