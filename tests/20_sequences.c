@@ -300,6 +300,17 @@ static void test_keys(void)
             p = sampler_pair(&once), q = sampler_pair(&each);
             check(p.u == q.u && p.v == q.v, "%s, pair %d: hashed once a pixel", name, d);
         }
+        sampler_keys many[sampler_rows];
+        const sampler_keys *from[sampler_rows];
+        point2 row[sampler_rows][sampler_row], *to[sampler_rows];
+        for (uint64_t j = 0; j < sampler_rows; j++)
+            sampler_keys_of(k, 1, j, &many[j]), from[j] = &many[j], to[j] = row[j];
+        sampler_rows_of(from, 3, 16, to);
+        for (uint64_t j = 0; j < sampler_rows; j++)
+            for (uint32_t d = 0; d < sampler_row; d++) {
+                p = row[j][d], q = pair_of(k, 1, j, 3, 16, d);
+                check(p.u == q.u && p.v == q.v, "%s, pair %u: many pixels at once", name, d);
+            }
         sampler s = sampler_start(k, 1, 2, 3, 16);
         for (int d = 0; d < 40 && k != SEQUENCE_HALTON; d++) {
             real x = d % 3 ? sampler_number(&s) : sampler_pair(&s).v;

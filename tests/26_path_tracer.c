@@ -252,6 +252,53 @@ static void test_naive(void)
     path_tracer_free(&t), showcase_free(&c);
 }
 
+/* Paths that go on together bring what each brings alone, bit for bit, by the same numbers and rays:
+ * in a room of few triangles, among balls and glass, in a large mesh under a sky. Every length that
+ * leaves lanes of a packet, or pixels of a block of random numbers, empty. */
+static void test_rows(void)
+{
+    static const char *const room[] = {"cornell", "spheres", "rough", "teapot"};
+    static const int lengths[] = {1, 2, 3, 7, 8, 9, 16, 17, 33, path_row_most};
+    enum { side = 64 };
+    for (int k = 0; k < 4; k++) {
+        showcase c;
+        failure f;
+        path_tracer t;
+        path_counts row = {0}, alone = {0};
+        size_t differ = 0, all = 0;
+        check(showcase_of(room[k], 1, &c, &f), "%s", room[k]);
+        path_options how = path_defaults;
+        how.sequence = (sequence_kind)(SEQUENCE_SOBOL - k);
+        path_tracer_of(&c.s, showcase_sky(&c), how, &t);
+        for (size_t y = 0; y < side; y += check_count(side) < side ? 4 : 1) {
+            path_pixel pixel[path_row_most];
+            path_random s[path_row_most];
+            path_walk walk[path_row_most];
+            ray eye[path_row_most];
+            int n = lengths[y % (sizeof lengths / sizeof *lengths)];
+            for (int x = 0; x < n; x++)
+                path_pixel_of(&how, 3, side * y + (size_t)x, &pixel[x]);
+            path_samples(pixel, n, 5, 16, s);
+            for (int x = 0; x < n; x++) {
+                point2 u = path_pair(&s[x]);
+                eye[x] = camera_ray(c.eye, (real)x + u.u, (real)y + u.v, side, side);
+                path_begin(&walk[x], eye[x]);
+            }
+            path_row(&t, walk, s, n, &row);
+            for (int x = 0; x < n; x++, all++) {
+                path_random own = path_start(&how, 3, side * y + (size_t)x, 5, 16);
+                path_pair(&own);
+                vec3 L = path_radiance(&t, eye[x], &own, &alone), M = walk[x].L;
+                differ += L.x != M.x || L.y != M.y || L.z != M.z
+                    || random_next_bits(&own.own) != random_next_bits(&s[x].own);
+            }
+        }
+        check_equal(differ, 0, "%s: of %zu paths, other alone than in a row", room[k], all);
+        check(memcmp(&row, &alone, sizeof row) == 0, "%s: the same rays, dice, draws", room[k]);
+        path_tracer_free(&t), showcase_free(&c);
+    }
+}
+
 /* ---- roulette: X / q with probability q has the mean of X ---- */
 
 static void test_roulette(void)
@@ -591,5 +638,5 @@ int main(void)
                      test_leaning_normals, test_glass, test_rough_glass, test_called_for,
                      test_choice_of_light, test_counts, test_in_glass, test_sides, test_rough_lit,
                      test_rough_noise, test_rough_point, test_no_light, test_crowded,
-                     test_naive);
+                     test_naive, test_rows);
 }
