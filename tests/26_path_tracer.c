@@ -253,8 +253,8 @@ static void test_naive(void)
 }
 
 /* Paths that go on together bring what each brings alone, bit for bit, by the same numbers and
- * rays: in a room of few triangles, among balls and glass, in a large mesh under a sky. Every length that
- * leaves lanes of a packet, or pixels of a block of random numbers, empty. */
+ * rays: in a room of few triangles, among balls and glass, in a large mesh under a sky. Every
+ * length that leaves lanes of a packet, or pixels of a block of random numbers, empty. */
 static void test_rows(void)
 {
     static const char *const room[] = {"cornell", "spheres", "rough", "teapot"};
