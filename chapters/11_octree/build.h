@@ -53,7 +53,7 @@ typedef struct {
     octree_node *node;     /* node 0 is the root; then blocks of eight, from number 8 on */
     uint32_t *reference;   /* numbers of items, leaf by leaf */
     size_t nodes;
-    structure_stats stats; /* but for the bytes: those of `held` */
+    structure_stats stats;
     aabb bounds;           /* of what can be hit */
     vec3 lo;               /* the cube */
     real size;
@@ -219,15 +219,11 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
         octree_free(&t);
         return memory_failed(f, "octree", x->n, how.most_bytes);
     }
+    t.stats.bytes = t.held.bytes, t.stats.peak = t.held.peak;
     *out = t;
     return true;
 }
 
-static inline structure_stats octree_stats(const octree *t)
-{
-    structure_stats s = t->stats;
-    s.bytes = t->held.bytes, s.peak = t->held.peak;
-    return s;
-}
+static inline structure_stats octree_stats(const octree *t) { return t->stats; }
 
 #endif

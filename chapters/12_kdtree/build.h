@@ -35,7 +35,7 @@ typedef struct {
     kd_triangle *triangle;    /* [references] of a mesh, else NULL */
     uint32_t *index;          /* [references] of a scene, else NULL */
     size_t nodes;
-    structure_stats stats;    /* but for the bytes: those of `held` */
+    structure_stats stats;
     items x;
     const vec3 *v;            /* corners of the mesh */
     aabb_frame frame;
@@ -267,6 +267,7 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
     memory_drop(m, b->split.begin, room, 4);
     done = done && kd_finish(b);
     memory_drop(m, b->index, b->index_room, 4);
+    t->stats.bytes = m->bytes, t->stats.peak = m->peak;
     return done;
 }
 

@@ -147,11 +147,6 @@ fast_inline bool kdtree_search(const kdtree *t, ray r, bool any, hit *out, searc
 
 STRUCTURE_VERBS(kdtree)
 
-static inline structure_stats kdtree_stats(const kdtree *t)
-{
-    structure_stats s = t->stats;
-    s.bytes = t->held.bytes, s.peak = t->held.peak;
-    return s;
-}
+static inline structure_stats kdtree_stats(const kdtree *t) { return t->stats; }
 
 #endif
