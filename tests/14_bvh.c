@@ -1,6 +1,6 @@
 /* Every hit of the tree equals brute force, bit for bit, by every rule; what boxes without care
  * lose; ties, and what a search must not look into. */
-#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/lab/naive.h"
 #include "structure.h"
 
 static bvh_options how;

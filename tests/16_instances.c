@@ -1,6 +1,6 @@
 /* Two levels against what they stand for, every instance asked in turn, bit for bit. */
-#include "../chapters/16_instances/instances.h"
 #include "../chapters/16_instances/lab/flattened.h"
+#include "../chapters/16_instances/lab/naive.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "aimed.h"
 #include "check.h"

@@ -4,7 +4,6 @@
  *   bvh_mesh b;
  *   bool bvh_mesh_build(&m, bvh_defaults, &b, &f)   the tree copies what it needs of the mesh
  *   bool bvh_mesh_hit(&b, r, &h), ..                the verbs of structure.h (09)
- *   bvh_mesh_hit_naive(&b, r, &h)                   without the care of node.h: loses hits
  *
  *   input                                      answer
  *   no triangles                               never hit
@@ -129,11 +128,5 @@ fast_inline bool bvh_mesh_search(const bvh_mesh *b, ray r, bool any, hit *out,
 }
 
 STRUCTURE_VERBS(bvh_mesh)
-
-/* With boxes tested as they come: see box_ray_naive. */
-static inline bool bvh_mesh_hit_naive(const bvh_mesh *b, ray r, hit *out)
-{
-    return tree_search(&b->tree, r, box_ray_naive, bvh_mesh_leaf, b, false, out, NULL);
-}
 
 #endif

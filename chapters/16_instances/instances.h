@@ -15,7 +15,6 @@
  *   bool instances_occluded(&x, r)        is there any?
  *   vec3 instances_normal(&x, h)          unit shading normal in the world (normals.h)
  *   instances_free(&x);                   a zeroed one may be freed
- *   instances_hit_naive(&x, r, &h)        normalises D': hits in the wrong order
  *
  * What is right: instance i is hit as mesh_hit of 07 says of its mesh and the ray (16.1); of all
  * instances the smallest t counts, at equal t the lowest instance, then the lowest triangle; the
@@ -102,15 +101,6 @@ fast_inline bool instances_search(const instances *x, ray r, bool any, instance_
 }
 
 STRUCTURE_VERBS_OF(instances, instance_hit, instances_work)
-
-/* A mesh an eighth as large, 10 away, before another of full size, 40 away: in the small one's
- * space D' is eight times as long. Normalised, it takes eight times the t: 80. Each instance counts
- * in lengths of its own: t of one is not the t of another, the ray's interval means nothing, and
- * what is behind comes out in front. */
-static inline bool instances_hit_naive(const instances *x, ray r, instance_hit *out)
-{
-    return instances_walk(x, r, false, true, out, NULL);
-}
 
 /* Of the point that h says, by its u and v; (0,0,0) if a triangle has no area. */
 static inline vec3 instances_normal(const instances *x, instance_hit h)

@@ -16,13 +16,9 @@
 #include "../../09_aabb/trials/pictures.h"
 #include "../bvh.h"
 #include "../first.h"
+#include "naive.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline bool bvh_hit_naive(const bvh *b, ray r, hit *out)
-{
-    return bvh_mesh_hit_naive(&b->mesh, r, out);
-}
 
 /* Searches in another order, or of another kind: of the triangles alone. */
 #define BVH_ORDER(name, any, nearest)                                                            \

@@ -21,7 +21,7 @@
 #include "../../../common/lab/pixels.h"
 #include "../../02_camera/camera.h"
 #include "../../07_mesh/scenes/specimens.h"
-#include "../instances.h"
+#include "naive.h"
 #include "plants.h"
 
 typedef struct {
