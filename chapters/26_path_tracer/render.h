@@ -10,7 +10,7 @@
 #define PATH_RENDER_H
 
 #include "../02_camera/camera.h"
-#include "passes.h"
+#include "../20_monte_carlo/passes.h"
 #include "path.h"
 
 typedef struct {

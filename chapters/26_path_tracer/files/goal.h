@@ -15,7 +15,7 @@
 #ifndef PATH_GOAL_H
 #define PATH_GOAL_H
 
-#include "../passes.h"
+#include "../../20_monte_carlo/passes.h"
 
 typedef struct {
     uint32_t samples;

@@ -23,7 +23,7 @@
 #ifndef PATH_STATE_H
 #define PATH_STATE_H
 
-#include "../film.h"
+#include "../../20_monte_carlo/film.h"
 
 enum { state_settings = 1024 };
 #define state_magic "26_path_tracer state 1\n"

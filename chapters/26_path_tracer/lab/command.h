@@ -92,7 +92,7 @@ cold_inline void command_scene(const command *c, real aspect, showcase *out)
 static inline void command_report(const options *o, const film *f, const render_job *j,
                                   const char *name)
 {
-    table t = table_new("The picture: samples a pixel, and the error that they leave (26.7)",
+    table t = table_new("The picture: samples a pixel, and the error that they leave (20.22)",
                         "scene|samples|error RMSE [W/m^2/sr]|rays|rays a path|time [s]|rays [M/s]");
     size_t rays = path_rays(&j->counts);
     table_text(&t, "%s", name), table_count(&t, (size_t)film_samples(f));

@@ -50,7 +50,7 @@ static inline void draw_panel(image *all, int k, int larger, image im)
     image_free(&im);
 }
 
-/* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
+/* One film: each rung adds samples to the one before, and says itself how far off it is (20.22). */
 cold_inline void draw_ladder(const options *o)
 {
     enum { rungs = 7, side = 64, larger = 2, size = side * larger };

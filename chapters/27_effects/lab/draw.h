@@ -1,9 +1,9 @@
-/* draw.h: the picture of a stage on the film of 26, and what it took.
+/* draw.h: the picture of a stage on the film of 20, and what it took.
  *
  *   drawing j = {.e = &e, .samples = 16, .seed = 1, .width = w, .height = h};
  *   bool whole = draw_image(&j, &im, threads)          a new picture; false: stopped by Ctrl-C
  *   j.counts, j.pass.seconds          rays by effect; time
- *   j.error                           RMSE by halves (26.7); infinity with one sample
+ *   j.error                           RMSE by halves (20.22); infinity with one sample
  *   passes_until(draw_begin(&j, threads), &f, goal)    the same on a film f, by passes
  *   draw_rays(&j.counts)              all rays
  *
@@ -17,7 +17,7 @@
 #ifndef EFFECTS_DRAW_H
 #define EFFECTS_DRAW_H
 
-#include "../../26_path_tracer/passes.h"
+#include "../../20_monte_carlo/passes.h"
 #include "../plan.h"
 #include "../special.h"
 

@@ -153,7 +153,7 @@ static inline bool table_of_tax(const options *o, double *least)
 {
     table t = table_new("The general program against the chapters' own, in turn, one thread",
                         "scene|chapter|rays a sample: its own|here|its own [ns/ray]|here [ns/ray]|"
-                        "ratio of speeds|its own error (26.7)|here");
+                        "ratio of speeds|its own error (20.22)|here");
     bool whole = true;
     *least = HUGE_VAL;
     for (int k = 0; k < tax_rows && whole; k++) whole = tax_add(o, &t, (tax_row)k, least);

@@ -8,10 +8,10 @@
  *                   and counted in p.to->done[k]. Once stopped, it counts no more: a pixel is left
  *                   between two samples. p.lock is for what all threads add to
  *
- * Pass after pass until a picture is good enough: files/goal.h.
+ * Pass after pass until a picture is good enough: files/goal.h of 26.
  */
-#ifndef PATH_PASSES_H
-#define PATH_PASSES_H
+#ifndef MONTE_CARLO_PASSES_H
+#define MONTE_CARLO_PASSES_H
 
 #include "../../common/parallel.h"
 #include "film.h"

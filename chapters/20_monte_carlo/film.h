@@ -4,28 +4,28 @@
  *   sample k / 2 of a sequence of its own
  *
  *   A, B: means of the two halves of N samples; both are right on average and independent, so
- *   E (A - B)^2 = V[A] + V[B],   V[(A + B)/2] = E (A - B)^2 / 4                              (26.6)
- *   RMSE^2 = mean over pixels and channels of (A - B)^2 nA nB / N^2                          (26.7)
+ *   E (A - B)^2 = V[A] + V[B],   V[(A + B)/2] = E (A - B)^2 / 4                             (20.21)
+ *   RMSE^2 = mean over pixels and channels of (A - B)^2 nA nB / N^2                         (20.22)
  *
  *   film f = film_new(w, h);
  *   film_pixel p = {0};                   the sums of one pixel, while its samples are taken
  *   film_pixel_add(&p, k, L)              sample k; false: not a number, nothing is added
  *   film_gather(&f, i, &p)                to pixel i = y w + x; each sample once
  *   film_cover(&f, a, b, &why)            says that all pixels have samples a .. b-1; false: twice
- *   double e = film_error(&f)             the RMSE (26.7) of film_picture, of linear radiance, all
+ *   double e = film_error(&f)             the RMSE (20.22) of film_picture, of linear radiance, all
  *                                         pixels and channels; infinity with fewer than 2 samples
  *   image im = film_picture(&f)
  *   film_free(&f)
  *
- * (26.7) needs no assumption on how samples are spread within a half: it holds for Sobol's points,
+ * (20.22) needs no assumption on how samples are spread within a half: it holds for Sobol's points,
  * where s^2 / n would be far too large. It is unbiased for the mean square, whatever the number of
  * pixels; over p pixels it is itself off by some sqrt(2 / p), more where a few pixels hold most of
  * the noise. What no sample has found yet (a caustic) it can't know.
  * Price: two halves of N/2 points, not one set of N: what stratification gains beyond 1/N grows a
  * little later.
  */
-#ifndef PATH_FILM_H
-#define PATH_FILM_H
+#ifndef MONTE_CARLO_FILM_H
+#define MONTE_CARLO_FILM_H
 
 #include "../../common/image.h"
 #include "tally.h"

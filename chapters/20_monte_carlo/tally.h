@@ -15,8 +15,8 @@
  * 2^20 samples of 2^44, the most that --samples takes, are a sum of 2^64; 2^21 overflow. What
  * rounding takes from a mean is below 2^-62, 2e-19.
  */
-#ifndef PATH_TALLY_H
-#define PATH_TALLY_H
+#ifndef MONTE_CARLO_TALLY_H
+#define MONTE_CARLO_TALLY_H
 
 #include "../../common/vec3.h"
 #include <stdint.h>
