@@ -18,7 +18,7 @@
  *   distributor d = distributor_of(&world, &how);       one a thread: it counts rays and pairs
  *   distributed_sample q = {SEQUENCE_SOBOL, seed, pixel, k, n};
  *   vec3 L = distributed_ray(&d, r, q);                 what one ray sees
- *   bool whole = distributed_draw(&view, &im, threads)  a picture; sums view.spent
+ *                                                       (pairs 0 and 1: who draws, lab/view.h)
  *
  * Each hit: emission, ambient light where the sky is open, each light by one shadow ray; then one
  * ray into the lobe of ks, with shine as its exponent, until `depth` rays have been cast (the eye
@@ -33,8 +33,6 @@
 #ifndef DISTRIBUTED_H
 #define DISTRIBUTED_H
 
-#include "../../common/image.h"
-#include "../../common/parallel.h"
 #include "ambient_occlusion.h"
 #include "area_light.h"
 #include "glossy.h"
@@ -58,7 +56,6 @@ typedef struct { sequence_kind kind; uint64_t seed, pixel; uint32_t k, n; } dist
 enum { PAIR_FILM, PAIR_LENS, PAIR_HIT, PAIR_TIME = INT32_MAX };
 typedef enum { DRAWN_FILM, DRAWN_LENS, DRAWN_LIGHT, DRAWN_SKY, DRAWN_LOBE, DRAWN_TIME,
                drawn_kinds } drawn_kind;
-typedef struct { trace_counts rays; size_t drawn[drawn_kinds]; } distributed_counts;
 
 typedef struct {
     tracer t;
@@ -66,19 +63,6 @@ typedef struct {
     size_t drawn[drawn_kinds];
     real time;                /* [0,1) of the sample; read only if anything moves */
 } distributor;
-
-typedef struct {
-    const trace_world *w;
-    const distributed *how;
-    camera c;
-    thin_lens lens;
-    sequence_kind kind;
-    uint64_t seed;
-    uint32_t samples;
-    distributed_counts spent; /* sums */
-    pthread_mutex_t lock;     /* set by distributed_draw */
-    image *im;
-} distributed_view;
 
 static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q);
 
@@ -191,49 +175,6 @@ static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q)
         if (!distributed_next(d, &x.s, &x.m, beta, q, sky + 1, &r)) return L;
         beta = vmul(beta, x.m.ks);
     }
-}
-
-/* ---- pictures ---- */
-
-/* Sample k of pixel (x, y). A single sample is taken in the middle, as without a lens or a film. */
-static inline vec3 distributed_camera(const distributed_view *v, distributor *d, int x, int y,
-                                      uint32_t k)
-{
-    uint64_t pixel = (uint64_t)y * (uint64_t)v->im->width + (uint64_t)x;
-    distributed_sample q = {v->kind, v->seed, pixel, k, v->samples};
-    point2 film = distributed_pair(d, q, DRAWN_FILM, PAIR_FILM), lens = {0, 0};
-    if (v->samples == 1) film = (point2){0.5, 0.5};
-    if (v->lens.radius != 0 || d->how->spend_all)
-        lens = distributed_pair(d, q, DRAWN_LENS, PAIR_LENS);
-    ray r = lens_ray(v->c, v->lens, (real)x + film.u, (real)y + film.v, v->im->width,
-                     v->im->height, lens);
-    return distributed_ray(d, r, q);
-}
-
-static inline void distributed_pixel(int x, int y, void *context)
-{
-    distributed_view *v = context;
-    distributor d = distributor_of(v->w, v->how);
-    vec3 sum = {0, 0, 0};
-    for (uint32_t k = 0; k < v->samples; k++) {
-        if (parallel_is_stopped()) return;
-        sum = vadd(sum, distributed_camera(v, &d, x, y, k));
-    }
-    image_set(v->im, x, y, vscale(sum, 1 / (real)v->samples));
-    pthread_mutex_lock(&v->lock);
-    trace_counts_add(&v->spent.rays, &d.t.counts);
-    for (int i = 0; i < drawn_kinds; i++) v->spent.drawn[i] += d.drawn[i];
-    pthread_mutex_unlock(&v->lock);
-}
-
-static inline bool distributed_draw(distributed_view *v, image *im, int threads)
-{
-    v->im = im;
-    v->spent = (distributed_counts){.drawn = {0}};
-    pthread_mutex_init(&v->lock, NULL);
-    bool whole = parallel_pixels(im->width, im->height, threads, "drawing", distributed_pixel, v);
-    pthread_mutex_destroy(&v->lock);
-    return whole;
 }
 
 #endif

@@ -14,8 +14,8 @@
 #ifndef DISTRIBUTED_BALLS_H
 #define DISTRIBUTED_BALLS_H
 
-#include "../distributed.h"
 #include "../first.h"
+#include "view.h"
 
 enum { balls_depth = 6 };
 

@@ -11,7 +11,7 @@
 #define DISTRIBUTED_BOX_H
 
 #include "../scenes/cornell.h"
-#include "../distributed.h"
+#include "view.h"
 
 typedef struct {
     mesh m[2];           /* walls and blocks; the light: with the same vertices */

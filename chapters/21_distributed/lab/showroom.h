@@ -16,7 +16,7 @@
 #define DISTRIBUTED_SHOWROOM_H
 
 #include "../../07_mesh/scenes/teapot.h"
-#include "../distributed.h"
+#include "view.h"
 
 enum { LOOK_SOFT = 1, LOOK_GLOSSY = 2, LOOK_SKY = 4, LOOK_LENS = 8, LOOK_ALL = 15 };
 typedef enum { SHOWROOM_ALL, SHOWROOM_GLOSSY, showroom_shots } showroom_shot;
