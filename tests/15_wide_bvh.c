@@ -211,7 +211,8 @@ static void invariants_of(const char *what, mesh m)
     check_equal(s.items, held, "%s: counted", what);
     check_at_most(s.depth, 64, "%s: depth", what);
     check_equal(s.depth, deepest(&w, 0), "%s: the deepest node", what);
-    check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block, "%s: bytes", what);
+    check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block
+                + w.patches * sizeof *w.patch, "%s: bytes", what);
     check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh_node) + 2 * 8),
                    "%s: items, nodes of two and their picks are held at the same time", what);
     for (size_t i = 0; i < 8 * w.blocks; i++) held -= w.block[i / 8].index[i % 8] != no_shape;

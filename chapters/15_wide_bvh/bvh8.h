@@ -38,16 +38,9 @@
 #include "build.h"
 #include "ray8.h"
 
-typedef struct {
-    const ray *r;
-    bvh8_skip skip;
-    hit h;
-    bool met;
-} bvh8_query;
-
-enum { bvh8_packet_least = 3 };  /* rays for which it pays to go together */
-
 #define EIGHT_FILE "../../chapters/15_wide_bvh/walk.h"
+#include "../../common/numbers/dialects.h"
+#define EIGHT_FILE "../../chapters/15_wide_bvh/packet.h"
 #include "../../common/numbers/dialects.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -71,34 +64,9 @@ fast_inline bool bvh8_search(const bvh8 *w, ray r, bool any, hit *out, search_wo
 
 STRUCTURE_VERBS(bvh8)
 
-/* q->h, if triangle i of w is nearer; any: whether it is met at all. */
-__attribute__((noinline, flatten))
-static void bvh8_query_settle(const bvh8 *w, uint32_t i, bool any, bvh8_query *q)
-{
-    const uint32_t *corner = w->x.m->index + 3 * (size_t)i;
-    const ray *r = q->r;
-    ray_shear s = shear_along(r, vlongest(r->d));
-    vec3 p[3];
-    hit h;
-    EIGHT_UNROLL
-    for (int k = 0; k < 3; k++) p[k] = shear_corner(&w->x.m->v[corner[k]], &s);
-    if (!shear_passes(p[0], p[1], p[2], &s, *r, &h)) return;
-    h.shape = i;
-    if (any || !q->met || hit_before(h, q->h))
-        q->h.t = h.t, q->h.u = h.u, q->h.v = h.v, q->h.shape = i, q->met = true;
-}
-
-#define EIGHT_FILE "../../chapters/15_wide_bvh/packet.h"
-#include "../../common/numbers/dialects.h"
-
 static inline void bvh8_ask_row(const bvh8 *w, bvh8_query *q, int n, bool any)
 {
-    const int lanes = w->dialect == EIGHT_AVX512 ? 16 : 8;
-    int k = 0;
-    for (; w->patch && n - k >= bvh8_packet_least; k += lanes)
-        EIGHT_CALL(w->dialect, bvh8_packet, w, q + k, n - k < lanes ? n - k : lanes, any);
-    for (; k < n; k++)
-        q[k].met = bvh8_ask_at(w, q[k].r, q[k].skip, any ? NULL : &q[k].h, NULL);
+    EIGHT_CALL(w->dialect, bvh8_row, w, q, n, any);
 }
 
 static inline structure_stats bvh8_stats(const bvh8 *w)

@@ -1,7 +1,8 @@
 /* packet.h: rays side by side (光线包, a ray packet), where triangles are few: a lane a ray. Compiled
  * once in each dialect, by dialects.h: no guard.
  *
- *   void EIGHT(bvh8_packet)(w, q, n, any)     n [1..LANES_N] queries at once, of a w with patches
+ *   void EIGHT(bvh8_row)(w, q, n, any)        n queries; the answers of EIGHT(bvh8_find)
+ *   void EIGHT(bvh8_packet)(w, q, n, any)     n [1..LANES_N] of them at once, of a w with patches
  *
  * One ray against eight triangles waits: for its own beginning, for the end of each step, for a
  * branch that nobody could foresee. Eight or sixteen rays against one patch (patch.h) after another
@@ -14,7 +15,7 @@
  *
  *   edges    e1, e2, D are within b = (20 u size + 256 eps S) S L of what 04 decides by. A half is
  *            surely missed where its least number is below -B, B = 12 b                     (15.12)
- *   t        within B (2 / (3 L) + |t|) / |D| where |D| > B; else it may be anywhere        (15.13)
+ *   t        within 2 B / (3 L |D|): of a patch seen edge-on it may be anywhere             (15.13)
  *
  * Source: I. Wald, P. Slusallek, C. Benthin, M. Wagner, "Interactive Rendering with Coherent Ray
  * Tracing", Computer Graphics Forum 20(3), 2001 (packets).
@@ -22,7 +23,7 @@
 
 /* The rays, a lane each, in the frame of the tree. alone: float can't follow them. */
 typedef struct {
-    LANES o[3], d[3], m[3], tmin, tmax, owed, least, per_L;
+    LANES o[3], d[3], m[3], tmin, tmax, owed, least, owed_t;
     LANES_WHOLE from, first, others, alone;
 } EIGHT(packet);
 
@@ -53,32 +54,27 @@ EIGHT_INLINE void EIGHT(packet_bounds)(EIGHT(packet) *p)
     p->alone = ~((LANES_WHOLE)(S <= 8) & (LANES_WHOLE)(L >= 0x1p-20f)
                  & (LANES_WHOLE)(L <= 0x1p20f));
     p->owed = S * L * (12 * 0x1.4p-20f), p->least = S * S * L * (12 * 256 * eps);
-    p->tmin -= LANES_ABS(p->tmin) * 0x1p-22f + 0x1p-100f;
-    p->tmax += LANES_ABS(p->tmax) * 0x1p-22f + 0x1p-100f;
-    p->per_L = (2 / 3.0f) / L;
+    p->owed_t = (2 / 3.0f) / L;
 }
 
-/* d . v */
-EIGHT_INLINE LANES EIGHT(packet_dot)(const LANES *d, const float *v, LANES add)
+/* d . v + add. (A pointer: eight.h says why.) */
+EIGHT_INLINE LANES EIGHT(packet_dot)(const LANES *d, const float *v, const LANES *add)
 {
-    LANES sum = LANES_FMA(d[0], LANES_ALL(v[0]), add);
+    LANES sum = LANES_FMA(d[0], LANES_ALL(v[0]), *add);
     sum = LANES_FMA(d[1], LANES_ALL(v[1]), sum);
     return LANES_FMA(d[2], LANES_ALL(v[2]), sum);
 }
 
-EIGHT_INLINE LANES EIGHT(packet_pick)(LANES_WHOLE which, LANES yes, LANES no)
-{
-    return (LANES)(((LANES_WHOLE)yes & which) | ((LANES_WHOLE)no & ~which));
-}
-
-/* Keeps what a half says: `in` is its least number, negative outside. */
+/* Keeps what a half says. */
 EIGHT_INLINE LANES EIGHT(packet_half)(const EIGHT(packet) *p, uint32_t index, int half,
-                                      LANES_WHOLE maybe, LANES begin, EIGHT(packet_near) *near)
+                                      const LANES_WHOLE *maybe, const LANES *begin,
+                                      EIGHT(packet_near) *near)
 {
     typedef EIGHT(lanes_count) count;
     LANES_WHOLE out = (LANES_WHOLE)((count)p->from == index)
         | (LANES_WHOLE)(index - (count)p->first <= (count)p->others);
-    LANES at = EIGHT(packet_pick)(maybe & ~out, begin, LANES_ALL(INFINITY));
+    LANES_WHOLE in = *maybe & ~out, never = (LANES_WHOLE)LANES_ALL(INFINITY);
+    LANES at = (LANES)(((LANES_WHOLE)*begin & in) | (never & ~in));
     LANES_WHOLE nearer = (LANES_WHOLE)(at < near->at);
     near->half = (near->half & ~nearer) | (nearer & half);
     near->at = LANES_MIN(at, near->at);
@@ -89,33 +85,43 @@ EIGHT_INLINE LANES EIGHT(packet_half)(const EIGHT(packet) *p, uint32_t index, in
 EIGHT_INLINE void EIGHT(packet_patch)(const bvh8_patch *b, int k, const EIGHT(packet) *p,
                                       LANES *at, EIGHT(packet_near) *near)
 {
-    const LANES zero = LANES_ALL(0.0f), never = LANES_ALL(INFINITY);
-    LANES det = EIGHT(packet_dot)(p->d, b->n, zero);
-    LANES e1 = EIGHT(packet_dot)(p->m, b->edge[0] + 3, EIGHT(packet_dot)(p->d, b->edge[0], zero));
-    LANES e2 = EIGHT(packet_dot)(p->m, b->edge[1] + 3, EIGHT(packet_dot)(p->d, b->edge[1], zero));
-    LANES to = LANES_ALL(b->to) - EIGHT(packet_dot)(p->o, b->n, zero);
+    const LANES zero = LANES_ALL(0.0f);
+    LANES det = EIGHT(packet_dot)(p->d, b->n, &zero);
+    LANES e1 = EIGHT(packet_dot)(p->d, b->edge[0], &zero);
+    LANES e2 = EIGHT(packet_dot)(p->d, b->edge[1], &zero);
+    e1 = EIGHT(packet_dot)(p->m, b->edge[0] + 3, &e1);
+    e2 = EIGHT(packet_dot)(p->m, b->edge[1] + 3, &e2);
+    LANES to = LANES_ALL(b->to) - EIGHT(packet_dot)(p->o, b->n, &zero);
     LANES B = LANES_FMA(p->owed, LANES_ALL(b->size), p->least);
     LANES_WHOLE turned = (LANES_WHOLE)det & INT32_MIN;
+    LANES size = LANES_ABS(det), per = 1 / (size + 0x1p-100f);  /* never infinite */
     e1 = (LANES)((LANES_WHOLE)e1 ^ turned), e2 = (LANES)((LANES_WHOLE)e2 ^ turned);
-    LANES size = LANES_ABS(det), rest = size - e1 - e2, t = to * (1 / det);
-    LANES error = B * LANES_ABS(1 / det) * (LANES_ABS(t) + p->per_L);
-    LANES_WHOLE edge_on = ~(LANES_WHOLE)(size > B);
-    LANES_WHOLE timely = (LANES_WHOLE)(t - error <= p->tmax) & (LANES_WHOLE)(t + error >= p->tmin);
-    LANES begin = EIGHT(packet_pick)(edge_on, -never, t - error);
+    LANES t = (LANES)((LANES_WHOLE)to ^ turned) * per, error = B * p->owed_t * per;
+    LANES rest = size - e1 - e2, begin = t - error;
+    LANES_WHOLE timely = (LANES_WHOLE)(begin <= p->tmax) & (LANES_WHOLE)(t + error >= p->tmin);
     LANES in = LANES_MIN(LANES_MIN(e1, e2), rest);
-    at[0] = EIGHT(packet_half)(p, b->index[0], 2 * k,
-                               (timely | edge_on) & (LANES_WHOLE)(in >= -B), begin, near);
+    LANES_WHOLE maybe = timely & (LANES_WHOLE)(in >= -B);
+    at[0] = EIGHT(packet_half)(p, b->index[0], 2 * k, &maybe, &begin, near);
     if (b->items == 1) return;
-    in = LANES_MIN(size - LANES_MAX(e1, e2), -rest);
-    at[1] = EIGHT(packet_half)(p, b->index[1], 2 * k + 1,
-                               (timely | edge_on) & (LANES_WHOLE)(in >= -B), begin, near);
+    in = LANES_MIN(size - LANES_MAX(e1, e2), -rest), maybe = timely & (LANES_WHOLE)(in >= -B);
+    at[1] = EIGHT(packet_half)(p, b->index[1], 2 * k + 1, &maybe, &begin, near);
 }
 
-/* t in the frame, rather too large. */
-EIGHT_INLINE float EIGHT(packet_limit)(const bvh8 *w, real t)
+/* q->h, if triangle i of w is nearer; any: whether it is met at all. */
+EIGHT_TARGET __attribute__((noinline, flatten))
+static void EIGHT(packet_settle)(const bvh8 *w, uint32_t i, bool any, bvh8_query *q)
 {
-    float f = (float)(t * w->frame.scale);
-    return f + fabsf(f) * 0x1p-22f + 0x1p-100f;
+    const uint32_t *corner = w->x.m->index + 3 * (size_t)i;
+    const ray *r = q->r;
+    ray_shear s = shear_along(r, vlongest(r->d));
+    vec3 p[3];
+    hit h;
+    EIGHT_UNROLL
+    for (int k = 0; k < 3; k++) p[k] = shear_corner(&w->x.m->v[corner[k]], &s);
+    if (!shear_passes(p[0], p[1], p[2], &s, *r, &h)) return;
+    h.shape = i;
+    if (any || !q->met || hit_before(h, q->h))
+        q->h.t = h.t, q->h.u = h.u, q->h.v = h.v, q->h.shape = i, q->met = true;
 }
 
 EIGHT_TARGET __attribute__((noinline))
@@ -134,8 +140,8 @@ static void EIGHT(bvh8_packet)(const bvh8 *w, bvh8_query *q, int n, bool any)
         hit *h = any ? NULL : &q[k].h;
         if (p.alone[k]) q[k].met = EIGHT(bvh8_find)(w, q[k].r, &q[k].skip, h, NULL);
         if (p.alone[k] || half < 0) continue;
-        bvh8_query_settle(w, w->patch[half / 2].index[half % 2], any, &q[k]);
-        limit[k] = !q[k].met ? FLT_MAX : any ? -INFINITY : EIGHT(packet_limit)(w, q[k].h.t);
+        EIGHT(packet_settle)(w, w->patch[half / 2].index[half % 2], any, &q[k]);
+        limit[k] = !q[k].met ? FLT_MAX : any ? -INFINITY : (float)(q[k].h.t * w->frame.scale);
     }
     LANES_WHOLE may = LANES_ALL_WHOLE(0);  /* how many halves may come before that */
     for (int k = 0; k < (int)w->patches; k++)
@@ -145,6 +151,17 @@ static void EIGHT(bvh8_packet)(const bvh8 *w, bvh8_query *q, int n, bool any)
         for (int i = 0; may[k] > 1 && i < 2 * (int)w->patches; i++) {
             const bvh8_patch *b = &w->patch[i / 2];
             if (i % 2 < (int)b->items && i != near.half[k] && at[i][k] <= limit[k])
-                bvh8_query_settle(w, b->index[i % 2], any, &q[k]);
+                EIGHT(packet_settle)(w, b->index[i % 2], any, &q[k]);
         }
+}
+
+/* Fewer than three do not pay. */
+EIGHT_TARGET
+static void EIGHT(bvh8_row)(const bvh8 *w, bvh8_query *q, int n, bool any)
+{
+    int k = 0;
+    for (; w->patch && n - k > 2; k += LANES_N)
+        EIGHT(bvh8_packet)(w, q + k, n - k < LANES_N ? n - k : LANES_N, any);
+    for (; k < n; k++)
+        q[k].met = EIGHT(bvh8_find)(w, q[k].r, &q[k].skip, any ? NULL : &q[k].h, NULL);
 }

@@ -20,6 +20,21 @@
 
 #include "tree8.h"
 
+enum { bvh8_few = 64 };  /* so many triangles, or fewer, are patches, too */
+typedef struct bvh8_patch {
+    float edge[2][6], n[3], to;  /* (15.10): factors of d, of m; (15.11): to = n . a */
+    float size;                  /* what the largest of an edge, or of a plane, add up to */
+    uint32_t items, index[2];    /* one or two triangles */
+} bvh8_patch;
+
+/* A ray of many, and its answer (packet.h). */
+typedef struct {
+    const ray *r;
+    bvh8_skip skip;
+    hit h;
+    bool met;
+} bvh8_query;
+
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline real patch_largest(vec3 a) { return fabs(vaxis(a, vlongest(a))); }

@@ -22,13 +22,6 @@ enum { bvh8_stack = 64 * 8 };  /* all but one a level wait, and no tree is deepe
 typedef struct { float side[6][8]; uint32_t child[8]; } __attribute__((aligned(64))) bvh8_node;
 typedef struct { eight corner[9]; eight_count index; } __attribute__((aligned(64))) bvh8_block;
 
-enum { bvh8_few = 64 };  /* so many triangles, or fewer, are patches, too (patch.h) */
-typedef struct {
-    float edge[2][6], n[3], to;  /* (15.10): factors of d, of m; (15.11): to = n . a */
-    float size;                  /* what the largest of an edge, or of a plane, add up to */
-    uint32_t items, index[2];    /* one or two triangles */
-} bvh8_patch;
-
 typedef struct {
     int leaf, width, threads;
     eight_dialect dialect;
@@ -44,7 +37,7 @@ typedef struct {
     eight_dialect dialect;
     bvh8_node *node;      /* [nodes] */
     bvh8_block *block;    /* [blocks], NULL for shapes */
-    bvh8_patch *patch;    /* [patches], of a few triangles; else NULL */
+    struct bvh8_patch *patch;  /* [patches] of patch.h, of a few triangles; else NULL */
     size_t nodes, blocks, patches;
     size_t held;          /* items in them */
     int depth;            /* of the deepest node; the root: 1 */
