@@ -18,7 +18,8 @@ static void measure(const options *o, bool large)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh8_trial, &how);
     table_of_rungs(o, &s, large);
-    if (large) table_of_shadows(o, &s), table_of_streams(o, &s), table_of_doubts(o, &s);
+    if (large) table_of_shadows(o, &s), table_of_streams(o, &s), table_of_few(o);
+    if (large) table_of_doubts(o, &s);
     else table_of_cracks(o);
     trial_scene_free(&s);
 }

@@ -155,12 +155,14 @@ static void EIGHT(bvh8_packet)(const bvh8 *w, bvh8_query *q, int n, bool any)
         }
 }
 
-/* Fewer than three do not pay. */
+/* One by one where going together doesn't pay: less than three rays, or many patches for each lane.
+ * (Plain C may have no registers for eight floats.) */
 EIGHT_TARGET
 static void EIGHT(bvh8_row)(const bvh8 *w, bvh8_query *q, int n, bool any)
 {
+    const bool few = w->patch && w->patches <= LANES_N * (EIGHT_DIALECT == 0 ? 1 : 3);
     int k = 0;
-    for (; w->patch && n - k > 2; k += LANES_N)
+    for (; few && n - k > 2; k += LANES_N)
         EIGHT(bvh8_packet)(w, q + k, n - k < LANES_N ? n - k : LANES_N, any);
     for (; k < n; k++)
         q[k].met = EIGHT(bvh8_find)(w, q[k].r, &q[k].skip, any ? NULL : &q[k].h, NULL);
