@@ -287,4 +287,34 @@ static void test_patches(void)
     row_patches("degenerate", row_degenerate(), 48, 0);
 }
 
-int main(void) { return check_all("15_packet", test_rows, test_doubt_ends, test_patches); }
+/* Six patches are asked side by side in every dialect, 64 in none, nor are two rays: then the
+ * search of the tree counts what it asked in `real`. */
+static void test_row_pays(void)
+{
+    for (int i = 0; i < 2 * ((int)eight_best() + 1); i++) {
+        mesh m = i % 2 ? soup_mesh(bvh8_few, 1, 1, 2) : row_boxes(1, 0);
+        items x = items_of_mesh(&m);
+        bvh8_options how = bvh8_defaults;
+        failure f;
+        bvh8 w;
+        how.dialect = (eight_dialect)(i / 2);
+        if (!bvh8_build(&x, how, &w, &f)) fail(f);
+        triangle t = mesh_triangle(&m, 0);
+        vec3 o = {2, 2, 2};
+        ray r = ray_from(o, vsub(triangle_at(t, (real)0.3, (real)0.3), o));
+        bvh8_query q[3];
+        for (int k = 0; k < 3; k++) q[k] = (bvh8_query){.r = &r, .skip = bvh8_skip_none};
+        for (int n = 2; n <= 3; n++) {
+            size_t before = bvh8_asked;
+            bvh8_ask_row(&w, q, n, false);
+            check(q[0].met && (bvh8_asked > before) == (i % 2 || n < 3), "%s, %zu patches, %d rays",
+                  row_dialect[w.dialect], w.patches, n);
+        }
+        bvh8_free(&w), mesh_free(&m);
+    }
+}
+
+int main(void)
+{
+    return check_all("15_packet", test_rows, test_row_pays, test_doubt_ends, test_patches);
+}
