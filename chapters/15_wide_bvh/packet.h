@@ -155,12 +155,13 @@ static void EIGHT(bvh8_packet)(const bvh8 *w, bvh8_query *q, int n, bool any)
         }
 }
 
-/* One by one where going together doesn't pay: less than three rays, or many patches for each lane.
- * (Plain C may have no registers for eight floats.) */
+/* One by one where going together doesn't pay: fewer than three rays, or more patches than measured
+ * (MEASURED.md, Rays together): 48 with AVX-512, 32 with AVX2. Plain C may have no registers for
+ * eight floats. */
 EIGHT_TARGET
 static void EIGHT(bvh8_row)(const bvh8 *w, bvh8_query *q, int n, bool any)
 {
-    const bool few = w->patch && w->patches <= LANES_N * (EIGHT_DIALECT == 0 ? 1 : 3);
+    const bool few = w->patch && w->patches <= (EIGHT_DIALECT == 0 ? 8 : 16 + 2 * LANES_N);
     int k = 0;
     for (; few && n - k > 2; k += LANES_N)
         EIGHT(bvh8_packet)(w, q + k, n - k < LANES_N ? n - k : LANES_N, any);
