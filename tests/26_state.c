@@ -109,10 +109,10 @@ static double stopped_pass(render_job *j, film *f, uint32_t samples)
     return clock_of(CLOCK_PROCESS_CPUTIME_ID) - begun;
 }
 
-/* A pass ends between two samples of a row of a tile; the rows before it are as in a whole pass. */
+/* A pass ends between two samples of some rows of a tile; those before are as in a whole pass. */
 static void test_stopped_in_a_pixel(void)
 {
-    enum { side = 40, samples = 64 };  /* a row of a tile must end in time, and not all of them */
+    enum { side = 80, samples = 16 };  /* rows of a tile must end in time, and not all of them */
     shot s;
     place_of(&s, "spheres", 1);
     film whole = film_new(side, side), part = film_new(side, side), none = film_new(side, side);
