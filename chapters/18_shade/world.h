@@ -116,7 +116,7 @@ fast_inline bool world_find(const trace_world *w, uint8_t mask, world_but but, r
 /* What part k has met, if it is nearer. */
 fast_inline void world_keep(world_query *q, const bvh8_query *b, uint32_t k, bool any)
 {
-    if (!b->met || (q->met && (any || b->h.t == q->r->tmax))) return;  /* the first keeps it */
+    if (!b->met || (q->met && b->h.t == q->r->tmax)) return;  /* the first keeps it */
     q->met = true;
     if (any) return;
     q->x.h.t = b->h.t, q->x.h.u = b->h.u, q->x.h.v = b->h.v, q->x.h.shape = b->h.shape;
@@ -127,13 +127,19 @@ static inline void world_find_row(const trace_world *w, uint8_t mask, world_quer
                                   bool any)
 {
     bvh8_query b[world_row];
-    for (int i = 0; i < n; i++) q[i].met = false, b[i].r = q[i].r;
+    int of[world_row];
+    for (int i = 0; i < n; i++) q[i].met = false;
     for (uint32_t k = 0; k < w->parts; k++) {
         const world_part *p = &w->part[k];
+        int asked = 0;
         if (!(p->mask & mask)) continue;
-        for (int i = 0; i < n; i++) b[i].skip = world_skip(q[i].but, p->id);
-        bvh8_ask_row(&p->tree, b, n, any);
-        for (int i = 0; i < n; i++) world_keep(&q[i], &b[i], k, any);
+        for (int i = 0; i < n; i++) {
+            if (any && q[i].met) continue;  /* one hit is enough */
+            of[asked] = i, b[asked].r = q[i].r;
+            b[asked++].skip = world_skip(q[i].but, p->id);
+        }
+        bvh8_ask_row(&p->tree, b, asked, any);
+        for (int i = 0; i < asked; i++) world_keep(&q[of[i]], &b[i], k, any);
     }
 }
 
